@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "flexkey/mesh/mesh.h"
+
+namespace flexkey {
+
+/// What a reader makes of a file.
+struct MeshFile {
+  Mesh mesh;
+  std::vector<std::string> warnings;  // a material library that is missing, elements that are passed over
+};
+
+}  // namespace flexkey

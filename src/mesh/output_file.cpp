@@ -1,0 +1,69 @@
+#include "flexkey/mesh/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "flexkey/mesh/error.h"
+
+namespace flexkey {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+  throw OutputError(fmt::format("cannot write '{}': {}", path.string(), std::strerror(error)));
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
+  struct stat there {};
+  if (stat(path_.c_str(), &there) == 0 && S_ISDIR(there.st_mode)) fail(path_, EISDIR);
+  std::error_code error;
+  if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
+  if (error) fail(path_, error.value());
+
+  // A device or pipe such as /dev/null cannot be replaced by a renamed file: it is written as it is.
+  const bool in_place = stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode);
+  if (!in_place) temporary_ = fmt::format("{}.part-{}", path_.string(), getpid());
+  const std::filesystem::path& opened = in_place ? path_ : temporary_;
+  descriptor_ = open(opened.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail(path_, errno);
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(path_, errno);
+    if (written == 0) fail(path_, ENOSPC);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    bytes_written_ += static_cast<std::uintmax_t>(written);
+  }
+}
+
+void OutputFile::write(std::string_view text) {
+  write(std::as_bytes(std::span(text)));
+}
+
+void OutputFile::commit() {
+  // Network file systems report a full disk only on sync or close. A device or pipe knows no sync (EINVAL).
+  if (fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(path_, errno);
+  const int closed = close(descriptor_);
+  descriptor_ = -1;
+  if (closed != 0) fail(path_, errno);
+  if (temporary_.empty()) return;
+  if (rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, errno);
+  temporary_.clear();
+}
+
+}  // namespace flexkey

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace flexkey {
+
+/// The candidate nearest to a misspelt word by Damerau-Levenshtein distance or by a shared prefix,
+/// or an empty string where none is near enough to be meant.
+std::string nearest_word(std::string_view word, std::span<const std::string> candidates);
+
+/// "; did you mean 'rotate'?" or an empty string: the tail of an error about an unknown word.
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace flexkey
