@@ -1,0 +1,143 @@
+#include "flexkey/deform/checks.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace flexkey {
+namespace {
+
+constexpr int most_iterations = 1'000'000;
+constexpr double no_area = 1e-12;  // share of a component's squared extent
+
+std::vector<int> component_at(int seed, const Cells& cells, std::vector<bool>& seen) {
+  std::vector<int> component{seed};
+  seen[seed] = true;
+  for (std::size_t at = 0; at < component.size(); ++at) {
+    for (const auto [j, weight] : cells.of(component[at])) {
+      if (!seen[j]) component.push_back(j);
+      seen[j] = true;
+    }
+  }
+  return component;
+}
+
+std::string name_of(const std::vector<int>& component) {
+  const auto first = *std::min_element(component.begin(), component.end());
+  return fmt::format("the component of {} vertices at vertex {}", component.size(), first);
+}
+
+/// #V, a third of the areas of the triangles at each vertex, polygons fanned from their first corner.
+Eigen::VectorXd vertex_areas(const Mesh& mesh) {
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.vertex_count());
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const std::span<const int> face = mesh.face(f);
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+      const Vec3 a = mesh.positions.row(face[0]), b = mesh.positions.row(face[k]);
+      const Vec3 c = mesh.positions.row(face[k + 1]);
+      const double third = (b - a).cross(c - a).norm() / 6;
+      for (const int v : {face[0], face[k], face[k + 1]}) areas(v) += third;
+    }
+  }
+  return areas;
+}
+
+void require_within(const std::vector<int>& vertices, int vertex_count, const char* role) {
+  for (const int v : vertices) {
+    if (v < 0 || v >= vertex_count) {
+      throw DeformError(
+          fmt::format("{} vertex {} is not one of the mesh's {} vertices", role, v, vertex_count));
+    }
+  }
+}
+
+}  // namespace
+
+void require_sound(const DeformOptions& options) {
+  if (options.iterations < 1 || options.iterations > most_iterations) {
+    throw DeformError(
+        fmt::format("iterations is {}; it must be from 1 to {}", options.iterations, most_iterations));
+  }
+  if (!(options.tolerance >= 0))
+    throw DeformError(fmt::format("tolerance is {}; it must not be negative", options.tolerance));
+  if (!(options.epsilon >= 0) || !std::isfinite(options.epsilon)) {
+    throw DeformError(fmt::format("epsilon is {}; it must be a number from 0 upwards", options.epsilon));
+  }
+}
+
+void require_sound(const Mesh& rest) {
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    if (!rest.positions.row(v).allFinite())
+      throw DeformError(fmt::format("vertex {} of the mesh is not at a finite position", v));
+  }
+  for (int f = 0; f < rest.face_count(); ++f) {
+    for (const int v : rest.face(f)) {
+      if (v >= 0 && v < rest.vertex_count()) continue;
+      throw DeformError(
+          fmt::format("face {} names vertex {} of a mesh of {} vertices", f, v, rest.vertex_count()));
+    }
+  }
+}
+
+void require_sound(const Constraints& constraints, int vertex_count) {
+  require_within(constraints.handles, vertex_count, "handle");
+  require_within(constraints.region, vertex_count, "region");
+  std::vector<bool> inside(vertex_count, constraints.region.empty());
+  for (const int v : constraints.region) inside[v] = true;
+  std::vector<bool> held(vertex_count, false);
+  for (const int v : constraints.handles) {
+    if (held[v]) throw DeformError(fmt::format("handle vertex {} is given twice", v));
+    if (!inside[v]) throw DeformError(fmt::format("handle vertex {} lies outside the region of interest", v));
+    held[v] = true;
+  }
+}
+
+void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>& is_free) {
+  const Eigen::VectorXd areas = vertex_areas(rest);
+  std::vector<bool> seen(is_free.size(), false);
+  for (int v = 0; v < cells.count(); ++v) {
+    if (!is_free[v] || seen[v]) continue;
+    const std::vector<int> component = component_at(v, cells, seen);
+    const bool held = !std::all_of(component.begin(), component.end(), [&](int i) { return is_free[i]; });
+    if (!held) throw DeformError(name_of(component) + " touches no handle or anchor");
+    const double extent = bounds_of(rest.positions(component, Eigen::all)).diagonal();
+    if (areas(component).sum() <= no_area * extent * extent)
+      throw DeformError(name_of(component) + " has no area");
+  }
+}
+
+void require_targets(const Positions& targets, std::size_t handle_count) {
+  if (static_cast<std::size_t>(targets.rows()) != handle_count) {
+    throw DeformError(
+        fmt::format("{} targets were given for {} handle vertices", targets.rows(), handle_count));
+  }
+  if (!targets.allFinite()) throw DeformError("a handle's target is not a finite position");
+}
+
+void require_lambda(const Eigen::VectorXd& lambda, Eigen::Index vertex_count) {
+  if (lambda.size() != vertex_count) {
+    throw DeformError(
+        fmt::format("{} values of lambda were given for {} vertices", lambda.size(), vertex_count));
+  }
+  const bool in_range = (lambda.array() >= 0).all() && (lambda.array() <= 1).all();
+  if (!in_range) throw DeformError("lambda is not between 0 and 1 everywhere");
+}
+
+void require_positions(const Positions& positions, Eigen::Index vertex_count) {
+  if (positions.rows() != vertex_count) {
+    throw DeformError(fmt::format("{} positions were given for {} vertices", positions.rows(), vertex_count));
+  }
+  if (!positions.allFinite()) throw DeformError("a position is not finite");
+}
+
+void require_pose(const Pose& pose, Eigen::Index vertex_count) {
+  const bool same_count = pose.positions.rows() == vertex_count && pose.scales.rows() == vertex_count &&
+                          static_cast<Eigen::Index>(pose.rotations.size()) == vertex_count;
+  if (!same_count)
+    throw DeformError(fmt::format("the pose is not one of this mesh's {} vertices", vertex_count));
+}
+
+}  // namespace flexkey

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "flexkey/deform/deformer.h"
+#include "flexkey/deform/weights.h"
+
+namespace flexkey {
+
+/// Each throws a DeformError that names the first thing wrong.
+void require_sound(const DeformOptions& options);
+void require_sound(const Mesh& rest);
+void require_sound(const Constraints& constraints, int vertex_count);
+
+/// That every component with an unknown has an area and touches a fixed vertex.
+void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>& is_free);
+
+/// That a frame's values fit the surface: targets #handles x 3 and lambda #V in [0, 1], positions #V x 3, all
+/// finite, and a pose of #V vertices.
+void require_targets(const Positions& targets, std::size_t handle_count);
+void require_lambda(const Eigen::VectorXd& lambda, Eigen::Index vertex_count);
+void require_positions(const Positions& positions, Eigen::Index vertex_count);
+void require_pose(const Pose& pose, Eigen::Index vertex_count);
+
+}  // namespace flexkey

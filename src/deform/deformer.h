@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "flexkey/deform/error.h"
+#include "flexkey/deform/options.h"
+#include "flexkey/mesh/mesh.h"
+
+namespace flexkey {
+
+/// Which vertices the solve may move and which it must meet. All indices are of the rest mesh.
+struct Constraints {
+  std::vector<int> handles;  // vertices whose positions are given, handles and anchors alike; no repeats
+  std::vector<int> region;   // the region of interest; empty means the whole mesh
+};
+
+/// One frame's answer and the next frame's warm start. The caller owns it.
+struct Pose {
+  Positions positions;                     // #V x 3, rest-mesh units
+  std::vector<Eigen::Matrix3d> rotations;  // #V, R_i fitted to positions (identity where no cell is fitted)
+  Positions scales;                        // #V x 3, diagonal of S_i in world axes
+  // What the positions answer to, so that an unchanged frame repeats them bit for bit:
+  Positions targets;       // #handles x 3
+  Eigen::VectorXd lambda;  // #V; empty at rest, which answers to every lambda
+  bool converged = false;
+  bool started =
+      false;  // whether a frame was ever solved into it; `fixed_count` begins its first differently
+};
+
+struct SolveReport {
+  int solves = 0;   // global solves spent
+  double step = 0;  // the last step's largest vertex motion, as a share of the diagonal
+  bool converged = false;
+};
+
+/// The paper's method: weights, matrix and factorization once for a set of constraints; then one solve a
+/// frame.
+class Deformer {
+ public:
+  /// Throws DeformError if an index or option is out of range, a handle lies outside the region, a free
+  /// component touches no constraint or has no area, or the factorization fails.
+  Deformer(const Mesh& rest, const Constraints& constraints, const DeformOptions& options = {});
+  ~Deformer();
+  Deformer(Deformer&&) noexcept;
+  Deformer& operator=(Deformer&&) noexcept;
+
+  Pose rest_pose() const;
+
+  /// A start at these positions, #V x 3, with R_i and S_i fitted to them; what is fixed at rest stays there.
+  Pose pose_at(const Positions& positions) const;
+
+  /// Moves `pose`, the frame before, to this frame's answer: a fixed point of one local and one global step.
+  /// targets: #handles x 3, where Constraints::handles go. lambda: one value or #V values in [0, 1].
+  /// Throws DeformError, and leaves the pose as it was, if a value does not fit or the answer is not finite.
+  SolveReport solve(const Positions& targets, double lambda, Pose& pose) const;
+  SolveReport solve(const Positions& targets, const Eigen::VectorXd& lambda, Pose& pose) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace flexkey

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace flexkey {
+
+enum class System { least_squares, direct };         // eq 7, or eq 5 on the free rows
+enum class LocalScale { axis, uniform, none };       // S_i: eq 8, its one-number form, or 1
+enum class Weights { clamped, cotangent, uniform };  // ω_ij
+
+struct DeformOptions {
+  System system = System::least_squares;
+  LocalScale local_scale = LocalScale::uniform;
+  double epsilon = 0.05;  // of S_i (`axis`): how far the fit is drawn to the cell's uniform scale; 0 is eq 8
+  Weights weights = Weights::clamped;
+  int iterations = 30;       // most global solves a frame, at least 1
+  double tolerance = 1e-3;   // share of the rest mesh's bounding-box diagonal
+  bool fixed_count = false;  // run all iterations and claim no convergence (`preset: paper`)
+};
+
+}  // namespace flexkey
