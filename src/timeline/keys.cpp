@@ -1,0 +1,189 @@
+#include "flexkey/timeline/keys.h"
+
+namespace flexkey {
+namespace {
+
+constexpr KeySpec shot[] = {
+    {"version", "the format's version: 1"},
+    {"mesh", "the mesh file, or a mapping that says how to read it"},
+    {"fps", "frames a second, above 0 and at most 1000; default 24"},
+    {"duration", "the last frame's time; default the last key"},
+    {"loop", "none, cycle or ping-pong; only none is built"},
+    {"vars", "named values", Built::ignored},
+    {"times", "named times"},
+    {"points", "named positions, mesh units"},
+    {"paths", "named curves"},
+    {"poses", "named poses of several handles", Built::ignored},
+    {"roi", "selection outside which everything is held at rest; default the whole mesh"},
+    {"handles", "what the timeline leads, by name"},
+    {"rigid", "selections that each move as one body, by name", Built::ignored},
+    {"attach", "vertices outside the solve that ride on a surface", Built::ignored},
+    {"clips", "several named animations in one file", Built::ignored},
+    {"lambda", "0 smooth to 1 rigid: a number, values by time, or keys with an easing; default 0.5"},
+    {"ease", "the file's default easing"},
+    {"solver", "how the surface is solved"},
+    {"output", "the files to write"},
+    {"sweep", "values of a key, one run each"},
+};
+
+constexpr KeySpec mesh[] = {
+    {"file", "path of the mesh, from the timeline's folder"},
+    {"nodes", "which nodes of a scene to solve", Built::ignored},
+    {"loose", "components that no handle touches: attach (default), hold or error"},
+    {"weld", "vertices this near to each other are solved as one; mesh units or % of the diagonal"},
+    {"up", "the file's upward axis, y or z", Built::ignored},
+};
+
+constexpr KeySpec handle[] = {
+    {"select", "which vertices"},
+    {"move", "offset from rest by time, mesh units"},
+    {"to", "where the pivot goes by time; instead of move"},
+    {"rotate", "turn about the pivot by time, deg or rad"},
+    {"scale", "factors along the world axes by time"},
+    {"pivot", "the point to turn and scale about; default the centroid at rest"},
+    {"follow", "a path to ride on by arc length", Built::ignored},
+    {"curve", "curves on which a path selection lies, by time; instead of every other motion"},
+    {"motion", "a track from another file", Built::ignored},
+    {"pose", "named poses by time", Built::ignored},
+    {"wave", "a periodic motion that is added", Built::ignored},
+    {"noise", "a random motion that is added", Built::ignored},
+    {"repeat", "how often the motion is played", Built::ignored},
+    {"delay", "time by which the motion starts later", Built::ignored},
+    {"mirror", "another handle's motion, mirrored", Built::ignored},
+    {"parent", "another handle whose motion this one inherits", Built::ignored},
+    {"weight", "in (0, 1]; below 1 the handle is soft", Built::ignored},
+    {"active", "[from, to): free outside", Built::ignored},
+    {"fade", "time over which an active handle takes hold", Built::ignored},
+};
+
+constexpr KeySpec selection[] = {
+    {"vertices", "indices of the file from 0, and ranges such as 12-40"},
+    {"group", "a group of the mesh file"},
+    {"material", "a material of the mesh file"},
+    {"node", "a node of the scene", Built::refused},
+    {"sphere", "within a radius of a centre"},
+    {"box", "between two corners"},
+    {"plane", "within a distance of a plane"},
+    {"axis", "x, y or z, with above or below"},
+    {"above", "beside axis: lower bound, mesh units or % of the extent along the axis"},
+    {"below", "beside axis: upper bound, mesh units or % of the extent along the axis"},
+    {"nearest", "the vertex nearest to a point"},
+    {"geodesic", "within a radius along the surface"},
+    {"path", "an ordered chain of vertices along edges, through points"},
+    {"boundary", "the longest boundary loop, or all"},
+    {"attribute", "a vertex attribute, with above or below", Built::refused},
+    {"component", "a connected component, counted from 0 by its lowest vertex"},
+    {"any", "vertices in any of a list of selections"},
+    {"all", "vertices in all of a list of selections"},
+    {"not", "vertices outside a selection"},
+    {"grow", "beside any kind: rings of neighbours added last, 0..1000"},
+};
+
+constexpr KeySpec sphere[] = {
+    {"center", "a point"},
+    {"radius", "mesh units or % of the diagonal"},
+};
+constexpr KeySpec box[] = {
+    {"min", "the lowest corner"},
+    {"max", "the highest corner"},
+};
+constexpr KeySpec plane[] = {
+    {"point", "a point of the plane"},
+    {"normal", "its direction"},
+    {"within", "largest distance, mesh units or % of the diagonal"},
+};
+constexpr KeySpec geodesic[] = {
+    {"from", "a point, taken to the nearest vertex"},
+    {"radius", "along the surface, mesh units or % of the diagonal"},
+};
+
+constexpr KeySpec track[] = {
+    {"keys", "values by time"},
+    {"ease", "easing of the track's stretches"},
+};
+constexpr KeySpec rotate[] = {
+    {"axis", "x, y, z, their negatives or a vector, for all keys"},
+    {"euler", "order of Euler angles, with keys of three angles", Built::ignored},
+    {"keys", "angles by time, or {axis, angle} by time"},
+    {"ease", "easing of the track's stretches"},
+};
+constexpr KeySpec turn[] = {
+    {"axis", "x, y, z, their negatives or a vector"},
+    {"angle", "deg or rad"},
+};
+constexpr KeySpec key[] = {
+    {"at", "the key's time"},
+    {"value", "its value"},
+    {"ease", "easing of the stretch after it"},
+};
+constexpr KeySpec curve[] = {
+    {"polyline", "points joined by straight lines"},
+    {"catmull-rom", "points on a uniform Catmull-Rom curve"},
+    {"bezier", "control points of cubic pieces, 3n + 1 of them"},
+};
+
+constexpr KeySpec lambda[] = {
+    {"keys", "values in 0..1 by time"},
+    {"ease", "easing of the stretches"},
+    {"regions", "selections with a value of their own", Built::ignored},
+};
+
+constexpr KeySpec solver[] = {
+    {"preset", "quality (default) or paper; explicit keys win over it"},
+    {"system", "least-squares (default) or direct"},
+    {"local_scale", "axis, uniform (default) or none"},
+    {"epsilon", "0 or more; how far axis is drawn towards uniform; default 0.05"},
+    {"weights", "clamped (default), cotangent, intrinsic-delaunay or uniform"},
+    {"cell", "spokes or spokes-and-rims", Built::ignored},
+    {"iterations", "most global solves a frame, 1..100000; default 30"},
+    {"tolerance", "share of the diagonal, or %; default 0.1%"},
+    {"predict", "whether a frame's start is predicted", Built::ignored},
+    {"accelerate", "whether iterations are accelerated", Built::ignored},
+    {"max_step", "largest turn a substep, deg or rad", Built::ignored},
+    {"area_weighting", "whether rows are weighted by vertex area", Built::ignored},
+};
+
+constexpr KeySpec output[] = {
+    {"gltf", "path of the GLB, or a mapping"},
+    {"preview", "pictures of the clip", Built::ignored},
+    {"cache", "a vertex cache", Built::ignored},
+    {"html", "a page that plays the clip", Built::ignored},
+    {"frames", "a mesh a frame", Built::ignored},
+    {"usd", "the clip as USD", Built::ignored},
+    {"report", "a report of the solve", Built::ignored},
+};
+
+constexpr KeySpec gltf[] = {
+    {"path", "path of the GLB, in the output folder"},
+    {"profile", "exact, compat or web; only exact is built"},
+    {"basis", "knots, pca or frames", Built::ignored},
+    {"encoding", "float or meshopt", Built::ignored},
+    {"tolerance", "largest error of the playback: share of the diagonal, or %; exact meets any"},
+    {"normals", "smooth (default) or none"},
+    {"max_targets", "most morph targets", Built::ignored},
+    {"animation", "name of the animation, or the clip to merge into", Built::ignored},
+    {"handles", "whether handles are written as nodes", Built::ignored},
+    {"split", "whether moving faces become a mesh of their own", Built::ignored},
+};
+
+}  // namespace
+
+constinit const MappingSpec shot_keys{"{mesh: bar.obj, handles: {…}}", shot};
+constinit const MappingSpec mesh_keys{"{file: bar.obj, weld: 0.1%}", mesh};
+constinit const MappingSpec handle_keys{"{select: {axis: z, above: 99%}}", handle};
+constinit const MappingSpec selection_keys{"{axis: z, above: 99%}", selection};
+constinit const MappingSpec sphere_keys{"{center: [0, 0, 0], radius: 5%}", sphere};
+constinit const MappingSpec box_keys{"{min: [0, 0, 0], max: [1, 1, 1]}", box};
+constinit const MappingSpec plane_keys{"{point: [0, 0, 0], normal: z, within: 1%}", plane};
+constinit const MappingSpec geodesic_keys{"{from: [0, 0, 0], radius: 30%}", geodesic};
+constinit const MappingSpec track_keys{"{keys: {0s: …, 2s: …}}", track};
+constinit const MappingSpec rotate_keys{"{axis: z, keys: {0s: 0deg, 2s: 90deg}}", rotate};
+constinit const MappingSpec turn_keys{"{axis: z, angle: 90deg}", turn};
+constinit const MappingSpec key_keys{"{at: 2s, value: …, ease: hold}", key};
+constinit const MappingSpec curve_keys{"{polyline: [[0, 0, 0], [0, 1, 0]]}", curve};
+constinit const MappingSpec lambda_keys{"{keys: {0s: 0, 2s: 1}, ease: ease-in-out}", lambda};
+constinit const MappingSpec solver_keys{"{preset: paper}", solver};
+constinit const MappingSpec output_keys{"{gltf: bar.glb}", output};
+constinit const MappingSpec gltf_keys{"{path: bar.glb}", gltf};
+
+}  // namespace flexkey

@@ -1,0 +1,162 @@
+#include "flexkey/timeline/parse.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "flexkey/timeline/fields.h"
+#include "flexkey/timeline/overrides.h"
+#include "flexkey/timeline/placeholders.h"
+#include "flexkey/timeline/read_handle.h"
+#include "flexkey/timeline/read_lambda.h"
+#include "flexkey/timeline/read_names.h"
+#include "flexkey/timeline/read_output.h"
+#include "flexkey/timeline/read_selection.h"
+#include "flexkey/timeline/read_solver.h"
+#include "flexkey/timeline/read_track.h"
+#include "flexkey/timeline/scalar.h"
+#include "flexkey/timeline/source_text.h"
+#include "flexkey/timeline/words.h"
+
+namespace flexkey {
+namespace {
+
+constexpr double most_fps = 1000;
+constexpr double most_frames = 100'000;
+constexpr double default_lambda = 0.5;
+
+void check_version(const Node& node, Scope& scope) {
+  const std::optional<int> version = read_whole(node, scope);
+  if (!version || *version == 1) return;
+  scope.findings.error(node.where,
+                       fmt::format("version {} is not known; this program reads version 1", node.text));
+}
+
+enum class Loop { none };
+
+void check_loop(const Node& node, Scope& scope) {
+  read_word<Loop>(node, "loop", {{"none", Loop::none}, {"cycle", std::nullopt}, {"ping-pong", std::nullopt}},
+                  scope);
+}
+
+std::optional<double> read_fps(const Node& node, Scope& scope) {
+  const std::optional<double> fps = read_number(node, scope);
+  if (!fps || (*fps > 0 && *fps <= most_fps)) return fps;
+  scope.findings.error(
+      node.where, fmt::format("fps {} is outside 0..{} (frames a second, above 0)", node.text, most_fps));
+  return std::nullopt;
+}
+
+/// What the values of the other keys are read with; the frame rate first, since times may be frames.
+void read_definitions(const Fields& fields, Scope& scope) {
+  if (const Node* fps = fields.value("fps")) scope.fps = read_fps(*fps, scope).value_or(scope.fps);
+  if (const Node* ease = fields.value("ease")) scope.ease = read_easing(*ease, scope).value_or(scope.ease);
+  if (const Node* times = fields.value("times")) read_times(*times, scope);
+  if (const Node* points = fields.value("points")) read_named_points(*points, scope);
+  if (const Node* paths = fields.value("paths")) read_paths(*paths, scope);
+}
+
+/// Seconds; the last key where the file gives none. Every key must have been read.
+double read_duration(const Fields& fields, Scope& scope) {
+  const Node* node = fields.value("duration");
+  const double duration = node != nullptr ? read_time(*node, scope).value_or(0) : scope.last_key;
+  const double frames = std::floor(duration * scope.fps + 1e-6) + 1;
+  if (frames <= most_frames) return duration;
+  scope.findings.error(
+      node != nullptr ? node->where : scope.last_key_where,
+      fmt::format("the shot would have {:.0f} frames; {} are the most", frames, most_frames));
+  return 0;
+}
+
+/// What the timeline solves: everything but times.
+Shot read_contents(const Fields& fields, Scope& scope) {
+  constexpr std::string_view place = "a timeline";
+  constexpr Mark start{1, 1};
+  Shot shot;
+  if (const Node* node = require(fields, "mesh", start, place, scope.findings)) {
+    shot.mesh = read_mesh_source(*node, scope);
+  }
+  if (const Node* node = fields.value("roi")) shot.roi = read_selection(*node, "'roi'", scope);
+  if (const Node* node = require(fields, "handles", start, place, scope.findings)) {
+    shot.handles = read_handles(*node, scope);
+  }
+  shot.lambda = {{0, default_lambda, {}}};
+  if (const Node* node = fields.value("lambda")) shot.lambda = read_lambda(*node, scope);
+  if (const Node* node = fields.value("solver")) shot.solver = read_solver(*node, scope);
+  if (const Node* node = fields.value("output")) shot.gltf = read_output(*node, scope);
+  if (const Node* node = fields.value("sweep")) shot.sweep.lambda = read_sweep(*node, scope);
+  return shot;
+}
+
+Shot read_shot(const Node& root, Findings& findings) {
+  const std::optional<Fields> fields = read_fields(root, shot_keys, "", findings);
+  if (!fields) return {};
+  Scope scope(findings);
+  if (const Node* node = fields->value("version")) check_version(*node, scope);
+  if (const Node* node = fields->value("loop")) check_loop(*node, scope);
+  read_definitions(*fields, scope);
+  Shot shot = read_contents(*fields, scope);
+  shot.fps = scope.fps;
+  shot.duration = read_duration(*fields, scope);
+  check_output_path(shot, findings);
+  return shot;
+}
+
+/// The timeline's tree with its overrides; nothing if there is none to read.
+std::optional<Node> read_tree(std::string_view text, const std::vector<Override>& overrides,
+                              Findings& findings) {
+  std::optional<Node> root;
+  try {
+    root = parse_yaml(text, findings);
+  } catch (const YamlError& error) {
+    findings.error(error.where(), error.what());
+    return std::nullopt;
+  }
+  if (root->kind == Node::Kind::null) {
+    findings.error({1, 1}, "the timeline is empty");
+    return std::nullopt;
+  }
+  int number = 0;
+  for (const Override& change : overrides) root = with_override(std::move(*root), change, ++number, findings);
+  return root;
+}
+
+std::vector<Diagnostic> with_sources(std::vector<Diagnostic> diagnostics,
+                                     const std::vector<Override>& overrides) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    diagnostic.source = error_at(diagnostic.where, diagnostic.message, overrides).source;
+  }
+  return diagnostics;
+}
+
+std::string name_of(const std::string& file) {
+  return file == "-" ? "stdin" : std::filesystem::path(file).stem().string();
+}
+
+}  // namespace
+
+Diagnostic error_at(Mark where, const std::string& message, const std::vector<Override>& overrides) {
+  Diagnostic diagnostic{Diagnostic::Severity::error, where, message};
+  const auto number = static_cast<std::size_t>(where.column);
+  const bool is_override = where.line == 0 && where.column > 0 && number <= overrides.size();
+  if (is_override) diagnostic.source = "--set " + overrides[number - 1].key_path;
+  return diagnostic;
+}
+
+ParsedShot parse_shot(std::string_view text, const std::string& file,
+                      const std::vector<Override>& overrides) {
+  Findings findings;
+  const std::optional<Node> root = read_tree(text, overrides, findings);
+  ParsedShot parsed;
+  if (root) parsed.shot = read_shot(*root, findings);
+  if (findings.has_errors()) throw TimelineError(file, with_sources(findings.errors(), overrides));
+  parsed.shot.file = file;
+  parsed.shot.name = name_of(file);
+  parsed.warnings = with_sources(findings.warnings(), overrides);
+  return parsed;
+}
+
+}  // namespace flexkey

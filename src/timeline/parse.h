@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flexkey/timeline/diagnostic.h"
+#include "flexkey/timeline/shot.h"
+
+namespace flexkey {
+
+/// `--set key.path=value`: the value is YAML, as in the file.
+struct Override {
+  std::string key_path;
+  std::string value;
+};
+
+struct ParsedShot {
+  Shot shot;
+  std::vector<Diagnostic> warnings;  // keys that are known but not built yet, and the like
+};
+
+/// Reads a timeline. `file` names it in messages and gives the shot its name ("-": "stdin").
+/// Throws TimelineError with every error of the text and of the overrides, by position.
+ParsedShot parse_shot(std::string_view text, const std::string& file,
+                      const std::vector<Override>& overrides = {});
+
+/// The text of a timeline file, at most 4 MiB; "-" is standard input. Throws TimelineError if it cannot be
+/// read.
+std::string read_timeline(const std::string& file);
+
+/// An error about a place of the shot that shows only later (a group that the mesh has not), as a diagnostic
+/// that knows whether the place is in the file or in a `--set`.
+Diagnostic error_at(Mark where, const std::string& message, const std::vector<Override>& overrides);
+
+/// Puts the shot's values for `<shot>` and `<lambda>` into an output path; `<lambda>` only where λ is
+/// constant.
+std::string expand_placeholders(const std::string& path, const Shot& shot);
+
+/// One shot for each value of the sweep (or the shot itself), with λ constant where it is swept, no sweep
+/// left, and the output paths expanded.
+std::vector<Shot> runs_of(const Shot& shot);
+
+}  // namespace flexkey

@@ -1,0 +1,100 @@
+#include "flexkey/timeline/placeholders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flexkey/timeline/number.h"
+#include "flexkey/timeline/parse.h"
+
+namespace flexkey {
+namespace {
+
+/// A piece of a path: plain text, or a placeholder with its brackets.
+struct Piece {
+  std::string_view text;
+  bool is_placeholder = false;
+};
+
+std::vector<Piece> pieces_of(std::string_view path) {
+  std::vector<Piece> pieces;
+  while (!path.empty()) {
+    const std::size_t close = path.find('>');
+    const std::size_t open = close == std::string_view::npos ? close : path.rfind('<', close);
+    if (close == std::string_view::npos || open == std::string_view::npos) {
+      const std::size_t plain = close == std::string_view::npos ? path.size() : close + 1;
+      pieces.push_back({path.substr(0, plain)});
+      path.remove_prefix(plain);
+      continue;
+    }
+    pieces.push_back({path.substr(0, open)});
+    pieces.push_back({path.substr(open, close + 1 - open), true});
+    path.remove_prefix(close + 1);
+  }
+  return pieces;
+}
+
+/// The value of a placeholder in this shot, or nothing.
+std::optional<std::string> value_of(std::string_view placeholder, const Shot& shot) {
+  if (placeholder == "<shot>") return shot.name;
+  if (placeholder == "<lambda>" && shot.lambda.size() == 1) return number_text(shot.lambda.front().value);
+  return std::nullopt;
+}
+
+void report_unknown(std::string_view placeholder, const GltfOutput& output, Findings& findings) {
+  const std::vector<std::string> known = {"<shot>", "<lambda>"};
+  findings.error(output.where,
+                 fmt::format("unknown placeholder '{}' in output path '{}'{}", placeholder, output.path,
+                             findings.proposal(placeholder, known, "; known are <shot> and <lambda>")));
+}
+
+}  // namespace
+
+void check_output_path(const Shot& shot, Findings& findings) {
+  const GltfOutput& output = shot.gltf;
+  bool names_lambda = false;
+  for (const Piece& piece : pieces_of(output.path)) {
+    if (!piece.is_placeholder) continue;
+    names_lambda = names_lambda || piece.text == "<lambda>";
+    if (piece.text != "<shot>" && piece.text != "<lambda>") report_unknown(piece.text, output, findings);
+  }
+  const std::vector<double>& swept = shot.sweep.lambda;
+  if (swept.size() > 1 && !output.path.empty() && !names_lambda) {
+    findings.error(
+        output.where,
+        fmt::format("output path '{}' does not name the swept key; write '<lambda>' into it", output.path));
+  }
+  if (names_lambda && swept.empty() && shot.lambda.size() > 1) {
+    findings.error(output.where,
+                   fmt::format("'<lambda>' in output path '{}' has no one value; it needs a constant "
+                               "lambda or a sweep over it",
+                               output.path));
+  }
+}
+
+std::string expand_placeholders(const std::string& path, const Shot& shot) {
+  std::string expanded;
+  for (const Piece& piece : pieces_of(path)) {
+    const std::optional<std::string> value = piece.is_placeholder ? value_of(piece.text, shot) : std::nullopt;
+    expanded += value ? *value : std::string(piece.text);
+  }
+  return expanded;
+}
+
+std::vector<Shot> runs_of(const Shot& shot) {
+  std::vector<Shot> runs(std::max<std::size_t>(1, shot.sweep.lambda.size()), shot);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    Shot& run = runs[i];
+    if (!shot.sweep.lambda.empty()) run.lambda = {{0, shot.sweep.lambda[i], {}}};
+    run.sweep = {};
+    run.gltf.path = expand_placeholders(shot.gltf.path, run);
+  }
+  return runs;
+}
+
+}  // namespace flexkey

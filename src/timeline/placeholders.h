@@ -1,0 +1,12 @@
+#pragma once
+
+#include "flexkey/timeline/findings.h"
+#include "flexkey/timeline/shot.h"
+
+namespace flexkey {
+
+/// Checks the placeholders of the shot's output path: none unknown, `<lambda>` only where it has one value a
+/// run and always where a sweep has several.
+void check_output_path(const Shot& shot, Findings& findings);
+
+}  // namespace flexkey

@@ -1,0 +1,100 @@
+#include "flexkey/timeline/read_solver.h"
+
+#include <fmt/format.h>
+
+#include "flexkey/timeline/fields.h"
+#include "flexkey/timeline/scalar.h"
+#include "flexkey/timeline/words.h"
+
+namespace flexkey {
+namespace {
+
+using Preset = SolverSettings::Preset;
+using System = SolverSettings::System;
+using LocalScale = SolverSettings::LocalScale;
+using Weights = SolverSettings::Weights;
+
+constexpr int most_iterations = 100'000;
+
+std::optional<double> read_epsilon(const Node& node, Scope& scope) {
+  const std::optional<double> epsilon = read_number(node, scope);
+  if (!epsilon || *epsilon >= 0) return epsilon;
+  scope.findings.error(node.where, fmt::format("epsilon {} is below 0 (0 is the paper's fit)", node.text));
+  return std::nullopt;
+}
+
+std::optional<int> read_iterations(const Node& node, Scope& scope) {
+  const std::optional<int> iterations = read_whole(node, scope);
+  if (!iterations || (*iterations >= 1 && *iterations <= most_iterations)) return iterations;
+  scope.findings.error(node.where, fmt::format("iterations {} is outside 1..{}", node.text, most_iterations));
+  return std::nullopt;
+}
+
+std::optional<Weights> read_weights(const Node& node, Scope& scope) {
+  return read_word<Weights>(node, "weights",
+                            {{"clamped", Weights::clamped},
+                             {"cotangent", Weights::cotangent},
+                             {"intrinsic-delaunay", std::nullopt},
+                             {"uniform", Weights::uniform}},
+                            scope);
+}
+
+std::optional<LocalScale> read_local_scale(const Node& node, Scope& scope) {
+  return read_word<LocalScale>(
+      node, "local_scale",
+      {{"axis", LocalScale::axis}, {"uniform", LocalScale::uniform}, {"none", LocalScale::none}}, scope);
+}
+
+std::optional<System> read_system(const Node& node, Scope& scope) {
+  return read_word<System>(node, "system",
+                           {{"least-squares", System::least_squares}, {"direct", System::direct}}, scope);
+}
+
+Preset read_preset(const Node& node, Scope& scope) {
+  return read_word<Preset>(node, "preset", {{"quality", Preset::quality}, {"paper", Preset::paper}}, scope)
+      .value_or(Preset::quality);
+}
+
+}  // namespace
+
+SolverSettings preset_settings(Preset preset) {
+  SolverSettings settings;
+  settings.preset = preset;
+  if (preset == Preset::paper) {
+    settings.system = System::least_squares;
+    settings.local_scale = LocalScale::axis;
+    settings.epsilon = 0;
+    settings.weights = Weights::cotangent;
+    settings.iterations = 2;
+  }
+  return settings;
+}
+
+SolverSettings read_solver(const Node& node, Scope& scope) {
+  const std::optional<Fields> fields = read_fields(node, solver_keys, "'solver'", scope.findings);
+  if (!fields) return {};
+  const Node* preset = fields->value("preset");
+  SolverSettings settings =
+      preset_settings(preset != nullptr ? read_preset(*preset, scope) : Preset::quality);
+  if (const Node* value = fields->value("system")) {
+    settings.system = read_system(*value, scope).value_or(settings.system);
+  }
+  if (const Node* value = fields->value("local_scale")) {
+    settings.local_scale = read_local_scale(*value, scope).value_or(settings.local_scale);
+  }
+  if (const Node* value = fields->value("epsilon")) {
+    settings.epsilon = read_epsilon(*value, scope).value_or(settings.epsilon);
+  }
+  if (const Node* value = fields->value("weights")) {
+    settings.weights = read_weights(*value, scope).value_or(settings.weights);
+  }
+  if (const Node* value = fields->value("iterations")) {
+    settings.iterations = read_iterations(*value, scope).value_or(settings.iterations);
+  }
+  if (const Node* value = fields->value("tolerance")) {
+    settings.tolerance = read_tolerance(*value, scope).value_or(settings.tolerance);
+  }
+  return settings;
+}
+
+}  // namespace flexkey

@@ -1,0 +1,87 @@
+#include "flexkey/timeline/sampling.h"
+
+#include <algorithm>
+
+#include "flexkey/timeline/curve.h"
+#include "flexkey/timeline/interpolate.h"
+#include "flexkey/timeline/rotation.h"
+
+namespace flexkey {
+namespace {
+
+/// A slope that keeps the cubic monotone between its keys: the weighted harmonic mean of the neighbouring
+/// secants, or 0 where they differ in sign (Fritsch and Butland, "A method for constructing local monotone
+/// piecewise cubic interpolants", 1984); 0 at the ends, where λ is held outside.
+double monotone_slope(const Track<double>& track, std::size_t i) {
+  if (i == 0 || i + 1 == track.size()) return 0;
+  const double h0 = track[i].time - track[i - 1].time, h1 = track[i + 1].time - track[i].time;
+  const double d0 = (track[i].value - track[i - 1].value) / h0,
+               d1 = (track[i + 1].value - track[i].value) / h1;
+  if (d0 * d1 <= 0) return 0;
+  return 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
+}
+
+Vec3 sample_vector(const Track<Vec3>& track, double time) {
+  return interpolate<Vec3>(track, time, [&](std::size_t i) { return track[i].value; });
+}
+
+/// Keys with axes of their own: great arcs, or for `smooth` the Catmull-Rom cubic of the quaternions,
+/// normalized.
+AxisAngle slerped(const Track<AxisAngle>& track, double time) {
+  const auto [from, to, share] = find_stretch(track, time);
+  const Easing& ease = track[from].ease;
+  const auto at = [&](std::size_t i) { return quaternion_of(track[i].value); };
+  if (ease.kind == Easing::Kind::smooth) {
+    return axis_angle_of(interpolate<Eigen::Vector4d>(track, time, at).normalized());
+  }
+  return axis_angle_of(slerp(at(from), at(to), eased(ease, share)));
+}
+
+AxisAngle sample_rotation(const Track<AxisAngle>& track, double time) {
+  const Stretch stretch = find_stretch(track, time);
+  const AxisAngle& before = track[stretch.from].value;
+  if (stretch.from == stretch.to || track[stretch.from].ease.kind == Easing::Kind::hold) return before;
+  if (!same_axis(track)) return slerped(track, time);
+  return {before.axis, interpolate<double>(track, time, [&](std::size_t i) { return track[i].value.angle; })};
+}
+
+}  // namespace
+
+Vec3 HandleMotion::apply(const Vec3& x, const Vec3& pivot) const {
+  const Vec3 arm = x - pivot;
+  const Vec3 moved_arm = Eigen::AngleAxisd(rotation.angle, rotation.axis) * Vec3(scale.cwiseProduct(arm));
+  return x + (moved_arm - arm) + move;  // in this form a motion that does nothing gives x to the bit
+}
+
+double sample_lambda(const Track<double>& lambda, double time) {
+  const auto at = [&](std::size_t i) { return lambda[i].value; };
+  const auto slope = [&](std::size_t i) { return monotone_slope(lambda, i); };
+  return std::clamp(interpolate<double>(lambda, time, at, slope), 0.0, 1.0);
+}
+
+HandleMotion sample_motion(const Handle& handle, const Vec3& pivot, double time) {
+  HandleMotion motion;
+  if (!handle.scale.empty()) motion.scale = sample_vector(handle.scale, time);
+  if (!handle.rotate.empty()) motion.rotation = sample_rotation(handle.rotate, time);
+  if (!handle.move.empty()) motion.move = sample_vector(handle.move, time);
+  if (!handle.to.empty()) motion.move = sample_vector(handle.to, time) - pivot;
+  return motion;
+}
+
+Positions sample_curve(const Track<Curve>& track, const Positions& chain, double time) {
+  const Eigen::VectorXd shares = arc_shares(chain);
+  const auto at = [&](std::size_t i) -> Positions {
+    const Curve& curve = track[i].value;
+    return curve.kind == Curve::Kind::rest ? chain : points_at(curve, chain, shares);
+  };
+  return interpolate<Positions>(track, time, at);
+}
+
+Positions points_at(const Curve& curve, const Positions& chain, const Eigen::VectorXd& shares) {
+  const MeasuredCurve measured(curve, chain);
+  Positions points(shares.size(), 3);
+  for (Eigen::Index i = 0; i < shares.size(); ++i) points.row(i) = measured.at(shares[i]).transpose();
+  return points;
+}
+
+}  // namespace flexkey

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "flexkey/timeline/shot.h"
+
+namespace flexkey {
+
+/// A handle's motion at one time: x -> pivot + R S (x - pivot) + move, all in world axes.
+struct HandleMotion {
+  Vec3 scale{1, 1, 1};
+  AxisAngle rotation;  // the angle as keyed, many turns included
+  Vec3 move{0, 0, 0};
+  Vec3 apply(const Vec3& x, const Vec3& pivot) const;
+};
+
+/// λ at a time, clamped to [0, 1].
+double sample_lambda(const Track<double>& lambda, double time);
+
+/// The motion of a handle about `pivot` (for `to`) at a time. Exact at the keys. The handle has no `curve`.
+HandleMotion sample_motion(const Handle& handle, const Vec3& pivot, double time);
+
+/// Where the vertices of a `curve` handle lie at a time. chain: #n x 3, its path vertices at rest, in order.
+/// Vertex i stays at the same share of arc length on every curve; between keys, points blend.
+Positions sample_curve(const Track<Curve>& track, const Positions& chain, double time);
+
+/// Points at shares (0..1) of a curve's arc length, one a row.
+Positions points_at(const Curve& curve, const Positions& chain, const Eigen::VectorXd& shares);
+
+}  // namespace flexkey

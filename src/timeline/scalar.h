@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "flexkey/timeline/scope.h"
+
+namespace flexkey {
+
+// Each reads one value; nothing, and a finding at its place, if the text says something else.
+
+std::optional<double> read_number(const Node& node, Scope& scope);
+std::optional<int> read_whole(const Node& node, Scope& scope);
+
+/// Seconds, at or after 0: "1.5", "1.5s", "36f", "hit", "hit+4f". A time within 1e-6 of a frame is that
+/// frame's time k / fps to the bit, so that a sample at the frame meets the key.
+std::optional<double> read_time(const Node& node, Scope& scope);
+
+/// Radians; the unit must be there: "90deg", "1.57rad".
+std::optional<double> read_angle(const Node& node, Scope& scope);
+
+/// Mesh units, or with % a share.
+std::optional<Length> read_length(const Node& node, Scope& scope);
+/// A length at or above 0.
+std::optional<Length> read_distance(const Node& node, Scope& scope);
+
+/// Above 0: a share of the diagonal as a plain number, or with %.
+std::optional<double> read_tolerance(const Node& node, Scope& scope);
+
+/// "on", "true" or "yes", and their contraries.
+std::optional<bool> read_switch(const Node& node, Scope& scope);
+
+}  // namespace flexkey

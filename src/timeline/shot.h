@@ -1,0 +1,83 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "flexkey/mesh/selection.h"
+#include "flexkey/timeline/track.h"
+
+namespace flexkey {
+
+/// Vertices that the timeline leads; without any motion an anchor, held at rest.
+struct Handle {
+  std::string name;
+  Mark where;
+  Selection select;
+  std::optional<Vec3> pivot;  // default: the centroid of its vertices at rest
+  Track<Vec3> move;           // offset from rest
+  Track<Vec3> to;             // where the pivot goes; excludes `move`
+  Track<AxisAngle> rotate;    // with one axis for all keys, or an axis a key (then slerped)
+  Track<Vec3> scale;          // factors along the world axes
+  Track<Curve> curve;         // for a `path` selection; excludes every other motion
+
+  bool is_anchor() const {
+    return move.empty() && to.empty() && rotate.empty() && scale.empty() && curve.empty();
+  }
+};
+
+/// What the `solver` key says, its preset already applied. The terms are those of the deformer.
+struct SolverSettings {
+  enum class Preset { quality, paper };
+  enum class System { least_squares, direct };
+  enum class LocalScale { axis, uniform, none };
+  enum class Weights { clamped, cotangent, uniform };
+  Preset preset = Preset::quality;
+  System system = System::least_squares;
+  LocalScale local_scale = LocalScale::uniform;
+  double epsilon = 0.05;
+  Weights weights = Weights::clamped;
+  int iterations = 30;
+  double tolerance = 1e-3;  // share of the diagonal
+};
+
+/// What the mesh key says.
+struct MeshSource {
+  std::string file;  // as the timeline gives it
+  Mark where;
+  enum class Loose { attach, hold, error };
+  Loose loose = Loose::attach;  // components that no handle or anchor touches
+  Length weld;                  // vertices at most this far apart are solved as one; share of the diagonal
+};
+
+/// What output.gltf says; path is empty where no GLB is asked for.
+struct GltfOutput {
+  std::string path;  // as the timeline gives it, placeholders and all
+  Mark where;
+  bool normals = true;  // `normals: smooth`
+};
+
+/// A run of the shot for each value of the swept key; empty means one run of the shot as it is.
+struct Sweep {
+  std::vector<double> lambda;
+};
+
+/// One timeline file as plain values. Times in seconds, angles in radians, lengths in mesh units.
+struct Shot {
+  std::string name;  // the file's name without folder and extension
+  std::string file;  // as given; "-" for standard input
+  MeshSource mesh;
+  double fps = 24;
+  double duration = 0;  // seconds; frames are k = 0 .. floor(duration * fps + 1e-6)
+  std::optional<Selection> roi;
+  std::vector<Handle> handles;
+  Track<double> lambda;  // never empty: a constant is one key
+  SolverSettings solver;
+  GltfOutput gltf;
+  Sweep sweep;
+
+  int frame_count() const { return static_cast<int>(duration * fps + 1e-6) + 1; }
+};
+
+}  // namespace flexkey

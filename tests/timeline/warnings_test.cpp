@@ -1,0 +1,92 @@
+// Keys that are known but not built yet: one warning each, and the shot runs on.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "timeline/parsing.h"
+
+namespace flexkey {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::string ignored(const std::string& place, const std::string& key) {
+  std::string line = "shot.yaml:";
+  return line.append(place).append(": warning: '").append(key).append("' is not built yet and is ignored");
+}
+
+TEST(Warnings, OfTopLevelKeys) {
+  EXPECT_THAT(warnings_of(with_base(
+                  "rigid: {teeth: {group: teeth}}\nvars: [1, [2]]\nposes:\nattach: 3\nclips: {}\n")),
+              ElementsAre(ignored("4:1", "rigid"), ignored("5:1", "vars"), ignored("6:1", "poses"),
+                          ignored("7:1", "attach"), ignored("8:1", "clips")));
+}
+
+TEST(Warnings, OfHandleKeys) {
+  EXPECT_THAT(warnings_of(with_tip(
+                  "    weight: 0.5\n    parent: base\n    follow: {path: arc}\n    wave: {}\n    noise: {}\n"
+                  "    active: [0s, 1s]\n    fade: 1s\n    motion: {csv: a.csv}\n    pose: {}\n"
+                  "    repeat: 2\n    delay: 1s\n    mirror: {of: a}\n")),
+              ElementsAre(ignored("5:5", "weight"), ignored("6:5", "parent"), ignored("7:5", "follow"),
+                          ignored("8:5", "wave"), ignored("9:5", "noise"), ignored("10:5", "active"),
+                          ignored("11:5", "fade"), ignored("12:5", "motion"), ignored("13:5", "pose"),
+                          ignored("14:5", "repeat"), ignored("15:5", "delay"), ignored("16:5", "mirror")));
+}
+
+TEST(Warnings, EulerAnglesAreLeftOut) {
+  const std::string text = with_tip("    rotate: {euler: xyz, keys: {0s: [0deg, 0deg, 0deg]}}\n");
+  EXPECT_THAT(warnings_of(text), ElementsAre(ignored("5:14", "euler")));
+  EXPECT_TRUE(parse(text).handles.at(0).rotate.empty());
+}
+
+TEST(Warnings, OfMeshSolverAndLambda) {
+  const std::string text =
+      "mesh: {file: a.obj, nodes: all, up: z}\nhandles: {base: {select: {group: a}}}\n"
+      "solver: {cell: spokes, predict: on, accelerate: off, max_step: 30deg, area_weighting: on, "
+      "weights: intrinsic-delaunay}\n"
+      "lambda: {keys: {0s: 1}, regions: [{value: 7}]}\n";
+  EXPECT_THAT(
+      warnings_of(text),
+      ElementsAre(ignored("1:21", "nodes"), ignored("1:33", "up"), ignored("3:10", "cell"),
+                  ignored("3:24", "predict"), ignored("3:37", "accelerate"), ignored("3:54", "max_step"),
+                  ignored("3:71", "area_weighting"),
+                  "shot.yaml:3:100: warning: weights 'intrinsic-delaunay' is not built yet and is ignored",
+                  ignored("4:25", "regions")));
+  EXPECT_EQ(parse(text).solver.weights, SolverSettings::Weights::clamped);
+}
+
+TEST(Warnings, OfOutputs) {
+  EXPECT_THAT(
+      warnings_of(with_base(
+          "output: {gltf: a.glb, preview: 1, cache: a.pc2, html: x, frames: y, usd: z, report: r}\n")),
+      ElementsAre(ignored("4:23", "preview"), ignored("4:35", "cache"), ignored("4:49", "html"),
+                  ignored("4:58", "frames"), ignored("4:69", "usd"), ignored("4:77", "report")));
+  EXPECT_THAT(
+      warnings_of(with_base(
+          "output: {gltf: {path: a.glb, basis: pca, profile: web, encoding: float, max_targets: 9}}\n")),
+      ElementsAre(ignored("4:30", "basis"),
+                  "shot.yaml:4:51: warning: profile 'web' is not built yet; exact is written",
+                  ignored("4:56", "encoding"), ignored("4:73", "max_targets")));
+}
+
+TEST(Warnings, OfLoops) {
+  EXPECT_THAT(warnings_of(with_base("loop: cycle\n")),
+              ElementsAre("shot.yaml:4:7: warning: loop 'cycle' is not built yet and is ignored"));
+  EXPECT_THAT(warnings_of(with_base("loop: none\n")), IsEmpty());
+}
+
+TEST(Warnings, AreNotGivenForWhatIsBuilt) {
+  EXPECT_THAT(
+      warnings_of(with_base("version: 1\noutput: {gltf: {path: a.glb, profile: exact, tolerance: 0.1%, "
+                            "normals: none}}\n")),
+      IsEmpty());
+  EXPECT_THAT(warnings_of(with_base("output: {gltf: {path: a.glb}}\n")), IsEmpty());
+}
+
+TEST(Warnings, StandOnceWhereAnAliasRepeatsThem) {
+  EXPECT_THAT(warnings_of("mesh: a.obj\nhandles:\n  a: &a {select: {group: a}, weight: 0.5}\n  b: *a\n"),
+              ElementsAre(ignored("3:30", "weight")));
+}
+
+}  // namespace
+}  // namespace flexkey
