@@ -3,13 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mesh/sample_meshes.h"
+#include "support/meshes.h"
 
 namespace flexkey {
 namespace {
 
 TEST(Connectivity, EdgesCountTheirFacesBothWays) {
-  const Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}});
+  const Mesh mesh = meshes::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}});
   const std::vector<MeshEdge> edges = mesh_edges(mesh);
   ASSERT_EQ(edges.size(), 5u);
   const MeshEdge shared = edges[2];
@@ -20,21 +20,21 @@ TEST(Connectivity, EdgesCountTheirFacesBothWays) {
 }
 
 TEST(Connectivity, NeighboursAreAlongEdgesNotDiagonals) {
-  const Mesh mesh = test::quad_grid(2);
+  const Mesh mesh = meshes::grid(2, 2);
   const Neighbours neighbours(mesh_edges(mesh), mesh.vertex_count());
   EXPECT_THAT(neighbours.of(4), testing::ElementsAre(1, 3, 5, 7));
   EXPECT_THAT(neighbours.of(0), testing::ElementsAre(1, 3));
 }
 
 TEST(Connectivity, ComponentsAreNumberedByTheirLowestVertex) {
-  const Mesh mesh = test::mesh_of(std::vector<Vec3>(8, Vec3::Zero()), {{5, 6, 7}, {1, 2, 3}});
+  const Mesh mesh = meshes::make_mesh(std::vector<Vec3>(8, Vec3::Zero()), {{5, 6, 7}, {1, 2, 3}});
   const Components components = find_components(mesh);
   EXPECT_EQ(components.count, 2);
   EXPECT_THAT(components.of_vertex, testing::ElementsAre(-1, 0, 0, 0, -1, 1, 1, 1));
 }
 
 TEST(Connectivity, BoundaryLoopsComeLongestFirst) {
-  Mesh mesh = test::quad_grid(3);  // with its middle face taken out
+  Mesh mesh = meshes::grid(3, 3);  // with its middle face taken out
   Mesh ring;
   ring.positions = mesh.positions;
   for (int f = 0; f < mesh.face_count(); ++f)

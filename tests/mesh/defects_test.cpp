@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mesh/sample_meshes.h"
+#include "support/meshes.h"
 
 namespace flexkey {
 namespace {
@@ -12,38 +12,39 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(Defects, ACleanMeshHasNone) {
-  EXPECT_TRUE(find_defects(test::quad_grid(4)).none());
-  EXPECT_TRUE(describe(find_defects(test::quad_grid(4))).empty());
+  EXPECT_TRUE(find_defects(meshes::grid(4, 4)).none());
+  EXPECT_TRUE(describe(find_defects(meshes::grid(4, 4))).empty());
 }
 
 TEST(Defects, NamesDegenerateFaces) {
   const Mesh mesh =
-      test::mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 0, 3}, {0, 2, 3}});
+      meshes::make_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 0, 3}, {0, 2, 3}});
   EXPECT_THAT(find_defects(mesh).degenerate_faces, ElementsAre(0, 1));
   EXPECT_EQ(describe(find_defects(mesh)).front(), "2 degenerate faces (0, 1)");
 }
 
 TEST(Defects, ASliverIsNotDegenerate) {
-  const Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-7, 0}}, {{0, 1, 2}});
+  const Mesh mesh = meshes::make_mesh({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-7, 0}}, {{0, 1, 2}});
   EXPECT_TRUE(find_defects(mesh).degenerate_faces.empty());
 }
 
 TEST(Defects, NamesDuplicateFacesInWhateverOrder) {
-  const Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {1, 0, 2}});
+  const Mesh mesh = meshes::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {1, 0, 2}});
   EXPECT_THAT(find_defects(mesh).duplicate_faces, ElementsAre(1));
 }
 
 TEST(Defects, NamesNonManifoldAndFlippedEdges) {
-  const Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
-                                  {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+  const Mesh mesh = meshes::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
+                                      {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   EXPECT_THAT(find_defects(mesh).non_manifold_edges, ElementsAre(Edge(0, 1)));
-  const Mesh flipped = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 1, 3}});
+  const Mesh flipped =
+      meshes::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 1, 3}});
   EXPECT_THAT(find_defects(flipped).flipped_edges, ElementsAre(Edge(0, 1)));
   EXPECT_THAT(describe(find_defects(flipped)).front(), HasSubstr("1 flipped edge (0-1)"));
 }
 
 TEST(Defects, NamesUnreferencedVerticesAndCutsLongLists) {
-  Mesh mesh = test::mesh_of(std::vector<Vec3>(9, Vec3(5, 5, 5)), {});
+  Mesh mesh = meshes::make_mesh(std::vector<Vec3>(9, Vec3(5, 5, 5)), {});
   mesh.positions.row(0) = Vec3(0, 0, 0).transpose();
   mesh.positions.row(1) = Vec3(1, 0, 0).transpose();
   mesh.positions.row(2) = Vec3(0, 1, 0).transpose();

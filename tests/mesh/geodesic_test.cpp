@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/sample_meshes.h"
+#include "support/meshes.h"
 
 namespace flexkey {
 namespace {
@@ -14,12 +14,12 @@ namespace {
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 TEST(Geodesic, NearestVertexIsTheLowestOfSeveral) {
-  EXPECT_EQ(nearest_vertex(test::quad_grid(2).positions, {0.5, 0.5, 3}), 0);
-  EXPECT_EQ(nearest_vertex(test::quad_grid(2).positions, {1.9, 2.2, 0}), 8);
+  EXPECT_EQ(nearest_vertex(meshes::grid(2, 2).positions, {0.5, 0.5, 3}), 0);
+  EXPECT_EQ(nearest_vertex(meshes::grid(2, 2).positions, {1.9, 2.2, 0}), 8);
 }
 
 TEST(Geodesic, ShortestPathFollowsEdges) {
-  const Mesh mesh = test::quad_grid(4);
+  const Mesh mesh = meshes::grid(4, 4);
   const Neighbours neighbours(mesh_edges(mesh), mesh.vertex_count());
   EXPECT_THAT(shortest_path(mesh, neighbours, 0, 4), testing::ElementsAre(0, 1, 2, 3, 4));
   EXPECT_EQ(shortest_path(mesh, neighbours, 0, 24).size(), 9u);  // no short cut over the quads' diagonals
@@ -27,7 +27,7 @@ TEST(Geodesic, ShortestPathFollowsEdges) {
 }
 
 TEST(Geodesic, NoPathLeadsToAnotherComponent) {
-  const Mesh mesh = test::mesh_of(std::vector<Vec3>(6, Vec3::Zero()), {{0, 1, 2}, {3, 4, 5}});
+  const Mesh mesh = meshes::make_mesh(std::vector<Vec3>(6, Vec3::Zero()), {{0, 1, 2}, {3, 4, 5}});
   const Neighbours neighbours(mesh_edges(mesh), mesh.vertex_count());
   EXPECT_TRUE(shortest_path(mesh, neighbours, 0, 5).empty());
   EXPECT_TRUE(std::isinf(geodesic_distances(mesh, {0}, no_limit)[5]));
@@ -35,7 +35,7 @@ TEST(Geodesic, NoPathLeadsToAnotherComponent) {
 
 TEST(Geodesic, OnAPlaneItIsTheStraightLine) {
   const int n = 40;
-  const Mesh mesh = test::quad_grid(n);
+  const Mesh mesh = meshes::grid(n, n);
   const int source = n / 2 + (n + 1) * (n / 2);
   const std::vector<double> distance = geodesic_distances(mesh, {source}, no_limit);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
@@ -56,7 +56,7 @@ TEST(Geodesic, GoesOverAFoldAndNotThroughTheAir) {
       points.emplace_back(std::cos(angle), j * 0.2, std::sin(angle));
     }
   for (int i = 0; i < n; ++i) faces.push_back({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
-  const Mesh mesh = test::mesh_of(points, faces);
+  const Mesh mesh = meshes::make_mesh(points, faces);
   EXPECT_NEAR(geodesic_distances(mesh, {0}, no_limit)[static_cast<std::size_t>(2 * n)], M_PI, 1e-3);
 }
 

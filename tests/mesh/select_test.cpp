@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "mesh/sample_meshes.h"
+#include "support/meshes.h"
 
 namespace flexkey {
 namespace {
@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 /// A 4 x 4 grid of quads with groups and a material; vertex (i, j) is i + 5 j.
 Mesh labelled_grid() {
-  Mesh mesh = test::quad_grid(4);
+  Mesh mesh = meshes::grid(4, 4);
   mesh.groups = {{"corner", {0}}, {"leg_hind_left", {5, 6}}};
   Material paint;
   paint.name = "paint";
@@ -111,8 +111,8 @@ TEST_F(SelectTest, GrowAddsRingsLast) {
 }
 
 TEST(Select, FileIndicesStandForTheirPlaceOnTheSurface) {
-  const Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}},
-                                  {{0, 1, 2}, {3, 4, 5}});
+  const Mesh mesh = meshes::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}},
+                                      {{0, 1, 2}, {3, 4, 5}});
   const Weld welded = weld(mesh);
   const Selector selector(welded, "seam.obj");
   EXPECT_EQ(selector.select({SelectVertices{{{1, 1}}}, 0, {}}),
@@ -121,8 +121,8 @@ TEST(Select, FileIndicesStandForTheirPlaceOnTheSurface) {
 }
 
 TEST(Select, AClosedMeshHasNoBoundary) {
-  const Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                  {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+  const Mesh mesh = meshes::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
   const Weld welded = weld(mesh);
   EXPECT_THROW(Selector(welded, "tetra.obj").select({SelectBoundary{}, 0, {}}), SelectionError);
 }

@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "flexkey/mesh/connectivity.h"
-#include "mesh/sample_meshes.h"
+#include "support/meshes.h"
 
 namespace flexkey {
 namespace {
 
 // Two quads that meet along an edge whose vertices are doubled, as a UV seam doubles them.
 Mesh split_pair(double gap = 0) {
-  return test::mesh_of(
+  return meshes::make_mesh(
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1 + gap, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1 + gap, 1, 0}},
       {{0, 1, 2, 3}, {4, 5, 6, 7}});
 }

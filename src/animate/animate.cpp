@@ -1,0 +1,116 @@
+#include "flexkey/animate/animate.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "flexkey/timeline/sampling.h"
+
+namespace flexkey {
+namespace {
+
+DeformOptions deform_options(const SolverSettings& solver) {
+  DeformOptions options;
+  switch (solver.system) {
+    case SolverSettings::System::least_squares:
+      options.system = System::least_squares;
+      break;
+    case SolverSettings::System::direct:
+      options.system = System::direct;
+      break;
+  }
+  switch (solver.local_scale) {
+    case SolverSettings::LocalScale::axis:
+      options.local_scale = LocalScale::axis;
+      break;
+    case SolverSettings::LocalScale::uniform:
+      options.local_scale = LocalScale::uniform;
+      break;
+    case SolverSettings::LocalScale::none:
+      options.local_scale = LocalScale::none;
+      break;
+  }
+  switch (solver.weights) {
+    case SolverSettings::Weights::clamped:
+      options.weights = Weights::clamped;
+      break;
+    case SolverSettings::Weights::cotangent:
+      options.weights = Weights::cotangent;
+      break;
+    case SolverSettings::Weights::uniform:
+      options.weights = Weights::uniform;
+      break;
+  }
+  options.epsilon = solver.epsilon;
+  options.iterations = solver.iterations;
+  options.tolerance = solver.tolerance;
+  options.fixed_count = solver.preset == SolverSettings::Preset::paper;
+  return options;
+}
+
+/// The rigid motion that best takes a patch from rest to where it is (Kabsch).
+Eigen::Isometry3d rigid_motion(const Positions& rest, const Positions& posed) {
+  if (rest == posed) return Eigen::Isometry3d::Identity();  // to the last bit, so that rest stays rest
+  return Eigen::Isometry3d(Eigen::umeyama(rest.transpose(), posed.transpose(), false));
+}
+
+/// The pose's positions with what rides on it, given back to the file's vertices.
+Positions file_positions(const Scene& scene, const Pose& pose) {
+  const Positions& rest = scene.weld.surface.positions;
+  Positions positions = pose.positions;
+  for (const Rider& rider : scene.riders) {
+    const Eigen::Isometry3d motion =
+        rigid_motion(rest(rider.carriers, Eigen::all), pose.positions(rider.carriers, Eigen::all));
+    for (const int v : rider.vertices)
+      positions.row(v) = (motion * Vec3(rest.row(v).transpose())).transpose();
+  }
+  return scatter(scene.weld, positions);
+}
+
+}  // namespace
+
+Positions sample_targets(const Scene& scene, double time) {
+  Positions targets(static_cast<Eigen::Index>(scene.constraints.handles.size()), 3);
+  Eigen::Index row = 0;
+  for (const SceneHandle& bound : scene.handles) {
+    const Eigen::Index count = bound.rest.rows();
+    if (!bound.handle.curve.empty()) {
+      targets.middleRows(row, count) = sample_curve(bound.handle.curve, bound.rest, time);
+    } else {
+      const HandleMotion motion = sample_motion(bound.handle, bound.pivot, time);
+      for (Eigen::Index k = 0; k < count; ++k)
+        targets.row(row + k) = motion.apply(bound.rest.row(k).transpose(), bound.pivot).transpose();
+    }
+    row += count;
+  }
+  return targets;
+}
+
+Clip animate(const Shot& shot, const Mesh& mesh, const Scene& scene, const std::vector<int>& wanted,
+             const AnimateHooks& hooks) {
+  const Deformer deformer(scene.weld.surface, scene.constraints, deform_options(shot.solver));
+  Clip clip;
+  clip.name = shot.name;
+  clip.mesh = mesh;
+  clip.fps = shot.fps;
+  Pose pose = deformer.rest_pose();
+  const int last = wanted.empty() ? shot.frame_count() - 1 : wanted.back();
+  for (int frame = 0; frame <= last; ++frame) {
+    if (hooks.stop && hooks.stop()) break;
+    const double time = frame / shot.fps;
+    const double lambda = sample_lambda(shot.lambda, time);
+    const SolveReport solved = deformer.solve(sample_targets(scene, time), lambda, pose);
+    const FrameReport report{frame, lambda, solved.solves, solved.step, solved.converged};
+    if (wanted.empty() || std::binary_search(wanted.begin(), wanted.end(), frame)) {
+      clip.frames.push_back(file_positions(scene, pose));
+      clip.reports.push_back(report);
+    }
+    if (hooks.on_frame) hooks.on_frame(report);
+  }
+  return clip;
+}
+
+Clip animate(const Shot& shot, const Mesh& mesh) {
+  return animate(shot, mesh, bind_shot(shot, mesh));
+}
+
+}  // namespace flexkey

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "flexkey/mesh/mesh.h"
+
+namespace flexkey {
+
+/// What the solver says of one frame.
+struct FrameReport {
+  int frame = 0;      // k; its time is k / fps
+  double lambda = 0;  // λ of the frame, 0 smooth .. 1 rigid
+  int solves = 0;     // global solves spent
+  double step = 0;    // the last step's largest vertex motion, as a share of the rest diagonal
+  bool converged = false;
+};
+
+/// A solved animation: what every exporter and the preview read.
+struct Clip {
+  std::string name;                  // the shot's
+  Mesh mesh;                         // the rest mesh as its file has it
+  double fps = 24;                   // frames a second
+  std::vector<Positions> frames;     // #frames of #V x 3, vertices in the file's order, file units
+  std::vector<FrameReport> reports;  // #frames
+};
+
+}  // namespace flexkey

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "flexkey/deform/deformer.h"
+#include "flexkey/mesh/weld.h"
+#include "flexkey/timeline/diagnostic.h"
+#include "flexkey/timeline/shot.h"
+
+namespace flexkey {
+
+/// A handle of the shot as vertices of the surface.
+struct SceneHandle {
+  Handle handle;
+  std::vector<int> vertices;  // of the surface; along the chain for a `path` selection
+  Positions rest;             // #vertices x 3
+  Vec3 pivot;
+};
+
+/// A component that nothing leads and that rides rigidly on the solved surface (`loose: attach`).
+struct Rider {
+  std::vector<int> vertices;  // of the surface
+  std::vector<int> carriers;  // the patch of the solved surface whose rigid motion it follows
+};
+
+/// A shot bound to its mesh: every selection resolved, ready to solve.
+struct Scene {
+  Weld weld;
+  std::vector<SceneHandle> handles;
+  Constraints constraints;  // handles in the order of `handles`, vertex by vertex
+  std::vector<Rider> riders;
+  int region_vertices = 0;  // surface vertices in the region of interest
+  int free_vertices = 0;    // of them, those that the solve moves
+};
+
+/// Resolves the shot on its mesh. Throws TimelineError with everything that does not fit: selections that
+/// take nothing, handles that share a vertex or lie outside the region, loose components under `loose:
+/// error`.
+Scene bind_shot(const Shot& shot, const Mesh& mesh);
+
+}  // namespace flexkey
