@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "cli/load.h"
+#include "cli/progress.h"
+#include "cli/report.h"
+#include "cli/stopwatch.h"
+#include "flexkey/animate/animate.h"
+#include "flexkey/gltf/write_glb.h"
+#include "flexkey/mesh/output_file.h"
+#include "flexkey/timeline/parse.h"
+
+namespace flexkey::cli {
+namespace {
+
+/// The outputs' final paths, a run each. Refuses, before hours of solving, what could not be written after.
+std::vector<std::filesystem::path> plan_outputs(const LoadedShot& loaded, const ShotOptions& options,
+                                                const std::vector<Shot>& runs) {
+  std::vector<std::filesystem::path> paths;
+  for (const Shot& run : runs) {
+    if (run.gltf.path.empty())
+      throw UsageError(
+          fmt::format("{} names no output; add 'output: {}.glb'", loaded.shot.file, loaded.shot.name));
+    paths.push_back(output_path(loaded, options, run.gltf.path));
+    OutputFile probe(paths.back());  // made and, uncommitted, removed again
+  }
+  return paths;
+}
+
+struct Solved {
+  Clip clip;
+  RunReport report;
+};
+
+Solved solve(const LoadedShot& loaded, const Shot& run, const Scene& scene, const std::vector<int>& wanted,
+             Progress& progress) {
+  Solved solved;
+  AnimateHooks hooks;
+  hooks.on_frame = [&](const FrameReport& frame) {
+    solved.report.frames.push_back(frame);
+    progress.advance();
+  };
+  hooks.stop = [] { return noted_signal() != 0; };
+  const Stopwatch watch;
+  solved.clip = animate(run, loaded.mesh, scene, wanted, hooks);
+  solved.report.solve_seconds = watch.seconds();
+  solved.report.claims_convergence = run.solver.preset != SolverSettings::Preset::paper;
+  if (!solved.report.frames.empty()) {
+    solved.report.lambda_first = solved.report.frames.front().lambda;
+    solved.report.lambda_last = solved.report.frames.back().lambda;
+  }
+  return solved;
+}
+
+void write(Solved& solved, const Shot& run, const LoadedShot& loaded, const std::filesystem::path& path) {
+  const Stopwatch watch;
+  GltfOptions options;
+  options.normals = run.gltf.normals;
+  options.hash = loaded.hash;
+  options.texture_folder = loaded.mesh_path.parent_path();
+  solved.report.written.push_back({path, write_glb(solved.clip, options, path)});
+  solved.report.write_seconds = watch.seconds();
+}
+
+void print_report(const LoadedShot& loaded, const ShotOptions& options, const std::vector<RunReport>& reports,
+                  double load_seconds) {
+  if (!options.quiet) {
+    for (const RunReport& report : reports)
+      for (const WrittenFile& file : report.written)
+        for (const std::string& warning : file.gltf.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    fmt::print(stderr, "{}", report_text(loaded, reports, load_seconds));
+  }
+  if (options.json) {
+    fmt::print("{}\n", report_json(loaded, reports, load_seconds));
+  } else if (!options.quiet) {
+    for (const RunReport& report : reports)
+      for (const WrittenFile& file : report.written) fmt::print("{}\n", file.path.string());
+  }
+}
+
+}  // namespace
+
+int run_animate(const ShotOptions& options) {
+  const Stopwatch load_watch;
+  const LoadedShot loaded = load_shot(options);
+  if (!options.quiet)
+    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+  const std::vector<Shot> runs = runs_of(loaded.shot);
+  const std::vector<int> wanted = parse_frames(options.frames, loaded.shot.frame_count());
+  const std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs);
+  const Scene scene = bind_shot(loaded.shot, loaded.mesh);
+  const double load_seconds = load_watch.seconds();
+
+  std::vector<RunReport> reports;
+  {
+    const int frames = wanted.empty() ? loaded.shot.frame_count() : wanted.back() + 1;
+    Progress progress(frames * static_cast<int>(runs.size()),
+                      options.quiet ? Verbosity::quiet : Verbosity::normal);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      Solved solved = solve(loaded, runs[k], scene, wanted, progress);
+      if (noted_signal() != 0) {
+        fmt::print(stderr, "\nflexkey: stopped by a signal after {} of {} frames; '{}' was not written\n",
+                   solved.report.frames.size(), frames, paths[k].string());
+        return stopped_by_signal + noted_signal();
+      }
+      write(solved, runs[k], loaded, paths[k]);
+      reports.push_back(std::move(solved.report));
+    }
+  }
+  print_report(loaded, options, reports, load_seconds);
+  for (const RunReport& report : reports)
+    if (options.strict && !report.unconverged().empty()) return not_converged;
+  return done;
+}
+
+}  // namespace flexkey::cli

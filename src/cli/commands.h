@@ -1,0 +1,13 @@
+#pragma once
+
+#include "cli/options.h"
+
+namespace flexkey::cli {
+
+/// `flexkey animate`: solves the shot and writes what it names. Returns an ExitCode.
+int run_animate(const ShotOptions& options);
+
+/// `flexkey check`: parses, loads, resolves every selection, prints a summary. Returns an ExitCode.
+int run_check(const ShotOptions& options);
+
+}  // namespace flexkey::cli

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "flexkey/mesh/error.h"
+#include "flexkey/timeline/diagnostic.h"
+
+namespace {
+
+using namespace flexkey;
+using namespace flexkey::cli;
+
+constexpr const char* exit_codes = R"(Exit codes:
+  0 done   1 internal fault   2 usage or timeline error   3 bad mesh or other input
+  4 did not converge (--strict)   5 an output could not be written   130, 143 stopped by a signal)";
+
+void add_shot_options(CLI::App& command, ShotOptions& options) {
+  command.add_option("shot", options.shot, "Timeline file, or - for standard input")
+      ->required()
+      ->type_name("SHOT.yaml");
+  command.add_option("--set", options.set, "Override a key of the timeline; may be repeated")
+      ->type_name("key.path=value")
+      ->expected(1)
+      ->take_all()
+      ->trigger_on_parse(false);
+  command.add_flag("--json", options.json, "Print a machine-readable report on standard output");
+  command.add_flag("-q,--quiet", options.quiet, "Print errors only");
+}
+
+void add_run_options(CLI::App& command, ShotOptions& options) {
+  command
+      .add_option("-d,--out-dir", options.out_dir, "Folder that outputs go to; made if missing (default: .)")
+      ->type_name("DIR");
+  command
+      .add_option("--frames", options.frames, "Write these frames only; the solve still starts at frame 0")
+      ->type_name("0-30,47,60-90x2");
+  command
+      .add_option("--threads", options.threads, "Threads to use (default: SLURM_CPUS_PER_TASK or every core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--strict", options.strict, "Exit 4 if a frame did not converge");
+}
+
+/// Runs a command and turns what it throws into a message and an exit code: the one place that does.
+template <class Command>
+int guarded(Command command) {
+  try {
+    return command();
+  } catch (const TimelineError& error) {
+    for (const Diagnostic& diagnostic : error.diagnostics())
+      fmt::print(stderr, "{}\n", format_diagnostic(error.file(), diagnostic));
+    return bad_timeline;
+  } catch (const UsageError& error) {
+    fmt::print(stderr, "flexkey: error: {}\n", error.what());
+    return bad_timeline;
+  } catch (const InputError& error) {
+    fmt::print(stderr, "flexkey: error: {}\n", error.what());
+    return bad_input;
+  } catch (const OutputError& error) {
+    fmt::print(stderr, "flexkey: error: {}\n", error.what());
+    return unwritten;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "flexkey: error: out of memory\n");
+    return internal_fault;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "flexkey: internal fault: {}\n", error.what());
+    return internal_fault;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("flexkey turns a text timeline into an animated mesh.", "flexkey");
+  app.set_version_flag("--version", "flexkey " FLEXKEY_VERSION);
+  app.require_subcommand(1);
+  app.footer(exit_codes);
+
+  ShotOptions options;
+  CLI::App* animate = app.add_subcommand("animate", "Solve a shot and write every output that it names");
+  add_shot_options(*animate, options);
+  add_run_options(*animate, options);
+  animate->footer("Example:\n  flexkey animate timelines/nose.yaml -d out\n");
+
+  CLI::App* check =
+      app.add_subcommand("check", "Parse a shot, load its mesh, resolve every selection; solve nothing");
+  add_shot_options(*check, options);
+  check->footer("Example:\n  flexkey check timelines/leg.yaml --json\n");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : bad_timeline;
+  }
+  note_signals();
+  if (animate->parsed()) return guarded([&] { return run_animate(options); });
+  return guarded([&] { return run_check(options); });
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "flexkey/mesh/error.h"
+#include "flexkey/timeline/parse.h"
+
+namespace flexkey::cli {
+
+/// A command line that makes no sense (exit code 2).
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The flags that the commands on a shot share.
+struct ShotOptions {
+  std::string shot;                     // a path, or "-" for standard input
+  std::filesystem::path out_dir = ".";  // where relative output paths go
+  std::vector<std::string> set;         // key.path=value
+  std::string frames;                   // "0-30,47,60-90x2", or empty for all
+  int threads = 0;                      // 0: SLURM_CPUS_PER_TASK, else all cores
+  bool json = false;
+  bool quiet = false;
+  bool strict = false;
+
+  /// `set`, split at the first '='. Throws UsageError.
+  std::vector<Override> overrides() const;
+};
+
+/// "0-30,47,60-90x2" as increasing frame numbers, all below frame_count. Throws UsageError.
+std::vector<int> parse_frames(const std::string& text, int frame_count);
+
+/// Threads to use: `asked` if positive, else SLURM_CPUS_PER_TASK, else every core.
+int thread_count(int asked);
+
+}  // namespace flexkey::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <chrono>
+
+namespace flexkey::cli {
+
+enum class Verbosity { normal, quiet };
+
+/// How far a run is, on stderr: a bar with frames a second and time left on a terminal, else plain
+/// `Progress: 37%` lines, at most two a second, as render farms read them.
+class Progress {
+ public:
+  Progress(int total, Verbosity verbosity);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void advance();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void draw_bar(double seconds) const;
+
+  int total_, done_ = 0, shown_percent_ = -1;
+  bool quiet_, terminal_;
+  Clock::time_point start_ = Clock::now(), last_shown_{};
+};
+
+}  // namespace flexkey::cli

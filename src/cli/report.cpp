@@ -1,0 +1,105 @@
+#include "cli/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace flexkey::cli {
+namespace {
+
+using nlohmann::json;
+
+std::string size_text(std::uintmax_t bytes) {
+  const double size = static_cast<double>(bytes);
+  if (bytes >= 1'000'000) return fmt::format("{:.1f} MB", size / 1e6);
+  if (bytes >= 1'000) return fmt::format("{:.1f} kB", size / 1e3);
+  return fmt::format("{} bytes", bytes);
+}
+
+std::string convergence_text(const RunReport& run) {
+  if (!run.claims_convergence) return "a fixed count of iterations, no convergence claimed";
+  const std::vector<int> unconverged = run.unconverged();
+  if (unconverged.empty()) return "every frame converged";
+  constexpr std::size_t shown = 6;
+  const auto last = unconverged.begin() + static_cast<std::ptrdiff_t>(std::min(shown, unconverged.size()));
+  return fmt::format("{} of {} frames did not converge ({}{})", unconverged.size(), run.frames.size(),
+                     fmt::join(unconverged.begin(), last, ", "), unconverged.size() > shown ? ", …" : "");
+}
+
+json frame_json(const FrameReport& frame) {
+  return {{"frame", frame.frame},
+          {"lambda", frame.lambda},
+          {"solves", frame.solves},
+          {"step", frame.step},
+          {"converged", frame.converged}};
+}
+
+json run_json(const RunReport& run) {
+  json frames = json::array(), written = json::array();
+  for (const FrameReport& frame : run.frames) frames.push_back(frame_json(frame));
+  for (const WrittenFile& file : run.written)
+    written.push_back({{"path", file.path.string()},
+                       {"bytes", file.gltf.bytes},
+                       {"targets", file.gltf.targets},
+                       {"vertices", file.gltf.vertices}});
+  return {{"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
+          {"frames", run.frames.size()},
+          {"solves", run.solves()},
+          {"claims_convergence", run.claims_convergence},
+          {"unconverged", run.unconverged()},
+          {"seconds", {{"solve", run.solve_seconds}, {"write", run.write_seconds}}},
+          {"outputs", std::move(written)},
+          {"frame_reports", std::move(frames)}};
+}
+
+}  // namespace
+
+int RunReport::solves() const {
+  int total = 0;
+  for (const FrameReport& frame : frames) total += frame.solves;
+  return total;
+}
+
+std::vector<int> RunReport::unconverged() const {
+  std::vector<int> result;
+  if (!claims_convergence) return result;
+  for (const FrameReport& frame : frames)
+    if (!frame.converged) result.push_back(frame.frame);
+  return result;
+}
+
+std::string report_json(const LoadedShot& loaded, const std::vector<RunReport>& runs, double load_seconds) {
+  json list = json::array();
+  for (const RunReport& run : runs) list.push_back(run_json(run));
+  const json report = {{"shot", loaded.shot.name},
+                       {"file", loaded.shot.file},
+                       {"hash", loaded.hash},
+                       {"fps", loaded.shot.fps},
+                       {"mesh",
+                        {{"file", loaded.mesh_path.string()},
+                         {"vertices", loaded.mesh.vertex_count()},
+                         {"faces", loaded.mesh.face_count()}}},
+                       {"seconds", {{"load", load_seconds}}},
+                       {"runs", std::move(list)},
+                       {"warnings", loaded.warnings}};
+  return report.dump(2, ' ', false, json::error_handler_t::replace);
+}
+
+std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& runs, double load_seconds) {
+  std::string text = fmt::format("{}: {} frames of {} vertices\n  load   {:6.2f} s\n", loaded.shot.name,
+                                 loaded.shot.frame_count(), loaded.mesh.vertex_count(), load_seconds);
+  for (const RunReport& run : runs) {
+    if (runs.size() > 1) text += fmt::format("  λ = {:g}\n", run.lambda_first);
+    const double mean =
+        run.frames.empty() ? 0 : static_cast<double>(run.solves()) / static_cast<double>(run.frames.size());
+    text += fmt::format("  solve  {:6.2f} s   {:.1f} solves a frame; {}\n", run.solve_seconds, mean,
+                        convergence_text(run));
+    for (const WrittenFile& file : run.written)
+      text += fmt::format("  write  {:6.2f} s   {}, {}, {} targets\n", run.write_seconds, file.path.string(),
+                          size_text(file.gltf.bytes), file.gltf.targets);
+  }
+  return text;
+}
+
+}  // namespace flexkey::cli

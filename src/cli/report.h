@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/load.h"
+#include "flexkey/animate/clip.h"
+#include "flexkey/gltf/write_glb.h"
+
+namespace flexkey::cli {
+
+/// A file that a run wrote.
+struct WrittenFile {
+  std::filesystem::path path;
+  GltfReport gltf;
+};
+
+/// One solve of the shot, one of several in a sweep.
+struct RunReport {
+  double lambda_first = 0, lambda_last = 0;
+  std::vector<FrameReport> frames;  // every solved frame
+  bool claims_convergence = true;   // `preset: paper` does not
+  double solve_seconds = 0, write_seconds = 0;
+  std::vector<WrittenFile> written;
+
+  int solves() const;
+  std::vector<int> unconverged() const;
+};
+
+/// What `animate` did, for `--json` on stdout.
+std::string report_json(const LoadedShot& loaded, const std::vector<RunReport>& runs, double load_seconds);
+
+/// The same for a person, several lines.
+std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& runs, double load_seconds);
+
+}  // namespace flexkey::cli

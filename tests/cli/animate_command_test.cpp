@@ -1,0 +1,97 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/work_folder.h"
+#include "flexkey/mesh/read_file.h"
+
+namespace flexkey {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::ProgramResult;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Animate : public test::WorkFolder {};
+
+TEST_F(Animate, WritesTheGlbThatTheTimelineNames) {
+  write("shot.yaml", test::minimal_shot);
+  const ProgramResult result = run({"animate", "shot.yaml", "-d", "made/out"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(read_file(folder() / "made/out/bar.glb"), StartsWith("glTF"));
+  EXPECT_EQ(result.output, "made/out/bar.glb\n");
+  EXPECT_THAT(result.errors, HasSubstr("Progress: 100%"));
+  EXPECT_THAT(result.errors, HasSubstr("every frame converged"));
+}
+
+TEST_F(Animate, TheReportIsJsonAndNothingElseOnStandardOutput) {
+  write("shot.yaml", test::minimal_shot);
+  const ProgramResult result = run({"animate", "shot.yaml", "--json", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
+  const json run_report = json::parse(result.output)["runs"][0];
+  EXPECT_EQ(run_report["frames"], 25);
+  EXPECT_EQ(run_report["outputs"][0]["path"], "./bar.glb");
+  EXPECT_EQ(run_report["outputs"][0]["bytes"], fs::file_size(folder() / "bar.glb"));
+  EXPECT_EQ(run_report["frame_reports"][24]["frame"], 24);
+}
+
+TEST_F(Animate, TheSameInputGivesTheSameBytes) {
+  write("shot.yaml", test::minimal_shot);
+  run({"animate", "shot.yaml", "-d", "a", "--threads", "1"});
+  run({"animate", "shot.yaml", "-d", "b", "--threads", "2"});
+  EXPECT_EQ(read_file(folder() / "a/bar.glb"), read_file(folder() / "b/bar.glb"));
+}
+
+TEST_F(Animate, ASweepWritesARunForEachValue) {
+  write("shot.yaml", std::string(test::minimal_shot) + "sweep: {lambda: [0, 0.5, 1]}\n");
+  const ProgramResult result = run({"animate", "shot.yaml", "--set", "output=bar_<lambda>.glb"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.output, "./bar_0.glb\n./bar_0.5.glb\n./bar_1.glb\n");
+}
+
+TEST_F(Animate, ASweptRunEqualsASingleOne) {
+  write("shot.yaml", std::string(test::minimal_shot) + "sweep: {lambda: [0, 0.5]}\n");
+  run({"animate", "shot.yaml", "--json", "--set", "output=<lambda>/bar.glb"});
+  write("alone.yaml", std::string(test::minimal_shot) + "lambda: 0.5\n");
+  const json alone = json::parse(run({"animate", "alone.yaml", "--json", "-q"}).output);
+  const json swept =
+      json::parse(run({"animate", "shot.yaml", "--json", "-q", "--set", "output=<lambda>/bar.glb"}).output);
+  EXPECT_EQ(alone["runs"][0]["frame_reports"], swept["runs"][1]["frame_reports"]);
+}
+
+TEST_F(Animate, StrictExitsFourWhereAFrameDidNotConverge) {
+  write("shot.yaml", std::string(test::minimal_shot) + "solver: {iterations: 1, tolerance: 0.000001%}\n");
+  EXPECT_EQ(run({"animate", "shot.yaml", "--strict"}).exit_code, 4);
+  EXPECT_TRUE(fs::exists(folder() / "bar.glb"));
+  const ProgramResult loose = run({"animate", "shot.yaml"});
+  EXPECT_EQ(loose.exit_code, 0);
+  EXPECT_THAT(loose.errors, HasSubstr("of 25 frames did not converge (1, 2,"));
+}
+
+TEST_F(Animate, PresetPaperClaimsNoConvergenceAndStrictDoesNotAsk) {
+  write("shot.yaml", std::string(test::minimal_shot) + "solver: {preset: paper}\n");
+  const ProgramResult result = run({"animate", "shot.yaml", "--strict"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("no convergence claimed"));
+}
+
+TEST_F(Animate, AShotWithoutAnOutputIsToldWhatToAdd) {
+  write("shot.yaml", "mesh: bar.obj\nhandles: {base: {select: {axis: z, below: 1%}}}\n");
+  const ProgramResult result = run({"animate", "shot.yaml"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("add 'output: shot.glb'"));
+}
+
+TEST_F(Animate, KeysNotBuiltYetWarnAndTheShotRunsOn) {
+  write("shot.yaml", std::string(test::minimal_shot) + "loop: cycle\n");
+  const ProgramResult result = run({"animate", "shot.yaml"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("shot.yaml:8:7: warning: loop 'cycle' is not built yet"));
+}
+
+}  // namespace
+}  // namespace flexkey

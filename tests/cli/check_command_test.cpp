@@ -1,0 +1,57 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/work_folder.h"
+
+namespace flexkey {
+namespace {
+
+using nlohmann::json;
+using test::ProgramResult;
+using testing::HasSubstr;
+
+class Check : public test::WorkFolder {};
+
+TEST_F(Check, PrintsTheVertexCountOfEveryHandle) {
+  write("shot.yaml", test::minimal_shot);
+  const ProgramResult result = run({"check", "shot.yaml", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const json report = json::parse(result.output);
+  ASSERT_EQ(report["handles"].size(), 2u);
+  EXPECT_EQ(report["handles"][0]["name"], "base");
+  EXPECT_EQ(report["handles"][0]["vertices"], 16);
+  EXPECT_EQ(report["handles"][0]["anchor"], true);
+  EXPECT_EQ(report["handles"][1]["motions"], json::array({"rotate"}));
+  EXPECT_EQ(report["frames"], 25);
+  EXPECT_EQ(report["mesh"]["components"], 1);
+  EXPECT_EQ(report["outputs"], json::array({"bar.glb"}));
+}
+
+TEST_F(Check, ReadsATimelineFromStandardInputAndWritesNothing) {
+  const ProgramResult result = run({"check", "-"}, test::minimal_shot);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("handle   tip"));
+  EXPECT_FALSE(std::filesystem::exists(folder() / "bar.glb"));
+}
+
+TEST_F(Check, CountsBothSidesOfASeamAsTheFileDoes) {
+  write("shot.yaml", "mesh: two.obj\nhandles: {all: {select: {nearest: [1, 0, 0]}}}\n");
+  write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\nf 4 5 6\n");
+  const json report = json::parse(run({"check", "shot.yaml", "--json"}).output);
+  EXPECT_EQ(report["handles"][0]["vertices"], 2);
+  EXPECT_EQ(report["mesh"]["surface_vertices"], 5);
+}
+
+TEST_F(Check, NamesDefectsOfTheMesh) {
+  write("shot.yaml", test::minimal_shot);
+  write("bar.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 9 9 9\nf 1 2 3\nf 1 2 3\nf 1 2 4\n");
+  const ProgramResult result = run({"check", "shot.yaml", "--json"});
+  EXPECT_THAT(result.errors, HasSubstr("1 duplicate face (1)"));
+  EXPECT_THAT(result.errors, HasSubstr("1 non-manifold edge (0-1)"));
+  EXPECT_THAT(result.errors, HasSubstr("1 unreferenced vertex (4)"));
+}
+
+}  // namespace
+}  // namespace flexkey

@@ -1,0 +1,118 @@
+// The program as a newcomer meets it: no arguments, a typo, no file, a broken mesh, an interrupt.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "cli/run_program.h"
+#include "cli/work_folder.h"
+
+namespace flexkey {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProgramResult;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class Program : public test::WorkFolder {};
+
+TEST_F(Program, HelpNamesCommandsAndExitCodes) {
+  const ProgramResult result = run({"--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.output, HasSubstr("animate"));
+  EXPECT_THAT(result.output, HasSubstr("did not converge"));
+  EXPECT_THAT(run({"animate", "--help"}).output, HasSubstr("flexkey animate timelines/nose.yaml -d out"));
+  EXPECT_THAT(run({"--version"}).output, StartsWith("flexkey "));
+}
+
+TEST_F(Program, WrongUsageExitsTwo) {
+  EXPECT_EQ(run({}).exit_code, 2);
+  EXPECT_EQ(run({"anmate"}).exit_code, 2);
+  EXPECT_EQ(run({"animate"}).exit_code, 2);
+  EXPECT_EQ(run({"animate", "x.yaml", "--threads", "-1"}).exit_code, 2);
+  write("shot.yaml", test::minimal_shot);
+  EXPECT_EQ(run({"animate", "shot.yaml", "--frames", "0-900"}).exit_code, 2);
+  EXPECT_EQ(run({"animate", "shot.yaml", "--set", "lambda"}).exit_code, 2);
+}
+
+TEST_F(Program, AMissingTimelineExitsTwoAMissingMeshThree) {
+  const ProgramResult no_timeline = run({"animate", "none.yaml"});
+  EXPECT_EQ(no_timeline.exit_code, 2);
+  EXPECT_THAT(no_timeline.errors, HasSubstr("none.yaml"));
+  write("shot.yaml", test::minimal_shot);
+  fs::remove(folder() / "bar.obj");
+  const ProgramResult no_mesh = run({"animate", "shot.yaml"});
+  EXPECT_EQ(no_mesh.exit_code, 3);
+  EXPECT_THAT(no_mesh.errors, HasSubstr("cannot read 'bar.obj': No such file or directory"));
+}
+
+TEST_F(Program, ThreeMistakesAreThreeErrorsWithTheirPlaces) {
+  write("shot.yaml",
+        "mesh: bar.obj\n"
+        "handles:\n"
+        "  base: {select: {axis: z, below: 1%}}\n"
+        "  tip:\n"
+        "    select: {axis: z, above: 99%}\n"
+        "    rotat: {axis: z, keys: {0s: 0deg, 1s: 90deg}}\n"
+        "lambda: 1.2\n"
+        "fps: fast\n"
+        "output: bar.glb\n");
+  const ProgramResult result = run({"animate", "shot.yaml"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(
+      result.errors,
+      HasSubstr("shot.yaml:6:5: error: unknown key 'rotat' in handle 'tip'; did you mean 'rotate'?\n"));
+  EXPECT_THAT(result.errors,
+              HasSubstr("shot.yaml:7:9: error: lambda 1.2 is outside 0..1 (0 smooth, 1 most rigid)\n"));
+  EXPECT_THAT(result.errors, HasSubstr("shot.yaml:8:6: error: "));
+  EXPECT_FALSE(fs::exists(folder() / "bar.glb"));
+}
+
+TEST_F(Program, ABrokenMeshExitsThreeWithItsPlace) {
+  write("shot.yaml", test::minimal_shot);
+  write("bar.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n");
+  const ProgramResult result = run({"animate", "shot.yaml"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.errors, HasSubstr("bar.obj:3: face 0 uses vertex index 9"));
+}
+
+TEST_F(Program, AnUnwritableOutputExitsFiveBeforeSolving) {
+  write("shot.yaml", test::minimal_shot);
+  write("file", "not a folder");
+  const ProgramResult result = run({"animate", "shot.yaml", "-d", "file"});
+  EXPECT_EQ(result.exit_code, 5);
+  EXPECT_THAT(result.errors, HasSubstr("Not a directory"));
+  EXPECT_THAT(result.errors, Not(HasSubstr("Progress")));
+}
+
+TEST_F(Program, AFullDiskExitsFive) {
+  write("shot.yaml", test::minimal_shot);
+  const ProgramResult result = run({"animate", "shot.yaml", "--set", "output=/dev/full"});
+  EXPECT_EQ(result.exit_code, 5);
+  EXPECT_THAT(result.errors, HasSubstr("No space left on device"));
+}
+
+TEST_F(Program, NeverWritesOverAnInput) {
+  write("shot.yaml", test::minimal_shot);
+  for (const char* output : {"output=bar.obj", "output=./shot.yaml"}) {
+    const ProgramResult result = run({"animate", "shot.yaml", "--set", output});
+    EXPECT_EQ(result.exit_code, 2) << output;
+    EXPECT_THAT(result.errors, HasSubstr("would replace an input"));
+  }
+}
+
+TEST_F(Program, AnInterruptLeavesNoHalfFile) {
+  write("shot.yaml",
+        std::string(test::minimal_shot) + "fps: 200\nsolver: {iterations: 2000, tolerance: 0.0000000001%}\n");
+  const ProgramResult result =
+      run({"animate", "shot.yaml", "-d", "out"}, {}, "timeout --foreground --preserve-status -s INT 0.4");
+  EXPECT_EQ(result.exit_code, 130);
+  EXPECT_THAT(result.errors, HasSubstr("stopped by a signal after"));
+  EXPECT_TRUE(fs::is_empty(folder() / "out"));
+}
+
+}  // namespace
+}  // namespace flexkey
