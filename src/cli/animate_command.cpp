@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <cstdio>
 
@@ -19,12 +20,17 @@ namespace {
 
 /// The outputs' final paths, a run each. Refuses, before hours of solving, what could not be written after.
 std::vector<std::filesystem::path> plan_outputs(const LoadedShot& loaded, const ShotOptions& options,
-                                                const std::vector<Shot>& runs) {
+                                                const std::vector<Shot>& runs, int frames) {
   std::vector<std::filesystem::path> paths;
   for (const Shot& run : runs) {
     if (run.gltf.path.empty())
       throw UsageError(
           fmt::format("{} names no output; add 'output: {}.glb'", loaded.shot.file, loaded.shot.name));
+    if (frames > run.gltf.max_targets)
+      throw UsageError(fmt::format(
+          "{} frames make as many morph targets, above max_targets, {}; lower fps, pick --frames, or "
+          "set output.gltf.max_targets (many viewers stop at 256)",
+          frames, run.gltf.max_targets));
     paths.push_back(output_path(loaded, options, run.gltf.path));
     OutputFile probe(paths.back());  // made and, uncommitted, removed again
   }
@@ -61,6 +67,7 @@ void write(Solved& solved, const Shot& run, const LoadedShot& loaded, const std:
   GltfOptions options;
   options.normals = run.gltf.normals;
   options.hash = loaded.hash;
+  options.max_targets = run.gltf.max_targets;
   options.texture_folder = loaded.mesh_path.parent_path();
   solved.report.written.push_back({path, write_glb(solved.clip, options, path)});
   solved.report.write_seconds = watch.seconds();
@@ -85,14 +92,17 @@ void print_report(const LoadedShot& loaded, const ShotOptions& options, const st
 }  // namespace
 
 int run_animate(const ShotOptions& options) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count(options.threads)));
   const Stopwatch load_watch;
   const LoadedShot loaded = load_shot(options);
   if (!options.quiet)
     for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
   const std::vector<Shot> runs = runs_of(loaded.shot);
   const std::vector<int> wanted = parse_frames(options.frames, loaded.shot.frame_count());
-  const std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs);
-  const Scene scene = bind_shot(loaded.shot, loaded.mesh);
+  const int written = wanted.empty() ? loaded.shot.frame_count() : static_cast<int>(wanted.size());
+  const std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs, written);
+  const Scene scene = bind_loaded(loaded, options);
   const double load_seconds = load_watch.seconds();
 
   std::vector<RunReport> reports;

@@ -97,7 +97,7 @@ void print_text(const json& summary) {
 
 int run_check(const ShotOptions& options) {
   const LoadedShot loaded = load_shot(options);
-  const Scene scene = bind_shot(loaded.shot, loaded.mesh);
+  const Scene scene = bind_loaded(loaded, options);
   const json report = summary(loaded, scene);
   if (!options.quiet)
     for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);

@@ -55,6 +55,17 @@ LoadedShot load_shot(const ShotOptions& options) {
   return loaded;
 }
 
+Scene bind_loaded(const LoadedShot& loaded, const ShotOptions& options) {
+  try {
+    return bind_shot(loaded.shot, loaded.mesh);
+  } catch (const TimelineError& error) {
+    std::vector<Diagnostic> diagnostics;
+    for (const Diagnostic& found : error.diagnostics())
+      diagnostics.push_back(error_at(found.where, found.message, options.overrides()));
+    throw TimelineError(error.file(), std::move(diagnostics));
+  }
+}
+
 fs::path output_path(const LoadedShot& loaded, const ShotOptions& options, const std::string& path) {
   const fs::path result = options.out_dir / path;  // an absolute path stays as it is
   for (const fs::path& input : loaded.inputs)

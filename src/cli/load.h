@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "flexkey/animate/scene.h"
 #include "flexkey/mesh/mesh.h"
 #include "flexkey/timeline/shot.h"
 
@@ -22,6 +23,9 @@ struct LoadedShot {
 
 /// Reads timeline and mesh. Throws TimelineError, InputError, UsageError.
 LoadedShot load_shot(const ShotOptions& options);
+
+/// Resolves the shot on its mesh. Throws TimelineError, whose places may be in the file or in a `--set`.
+Scene bind_loaded(const LoadedShot& loaded, const ShotOptions& options);
 
 /// Where an output path of a shot goes. Throws UsageError if that is one of the inputs.
 std::filesystem::path output_path(const LoadedShot& loaded, const ShotOptions& options,

@@ -1,5 +1,7 @@
 #include "flexkey/deform/local_step.h"
 
+#include <tbb/parallel_for.h>
+
 #include "flexkey/deform/rotation.h"
 
 namespace flexkey {
@@ -48,12 +50,13 @@ Vec3 best_scale(const Eigen::Matrix3d& A, const Eigen::Matrix3d& C, const Eigen:
 Transforms local_step(const Patch& patch, const Positions& positions, const Transforms& previous,
                       const DeformOptions& options) {
   Transforms fit{std::vector<Eigen::Matrix3d>(patch.fitted), Positions(patch.fitted, 3)};
-  for (int i = 0; i < patch.fitted; ++i) {
+  // Every cell is fitted on its own, so that the answer does not depend on the number of threads.
+  tbb::parallel_for(0, patch.fitted, [&](int i) {
     const CellMoments sums = moments(patch, positions, i);
     const bool has_shape = sums.A.norm() > collapsed * sums.size;
     fit.rotations[i] = has_shape ? best_rotation(sums.A, previous.rotations[i]) : previous.rotations[i];
     fit.scales.row(i) = best_scale(sums.A, sums.C, fit.rotations[i], options);
-  }
+  });
   return fit;
 }
 

@@ -1,11 +1,13 @@
 #include "flexkey/deform/right_hand_side.h"
 
+#include <tbb/parallel_for.h>
+
 namespace flexkey {
 
 Positions right_hand_side(const Patch& patch, const Transforms& transforms, const Eigen::VectorXd& lambda) {
   const std::vector<Eigen::Matrix3d>& R = transforms.rotations;
   Positions r(patch.rows, 3);
-  for (int i = 0; i < patch.rows; ++i) {
+  tbb::parallel_for(0, patch.rows, [&](int i) {
     const auto S_i = transforms.scales.row(i).transpose().asDiagonal();
     Vec3 delta = Vec3::Zero();
     Vec3 rigid = Vec3::Zero();
@@ -16,7 +18,7 @@ Positions right_hand_side(const Patch& patch, const Transforms& transforms, cons
     }
     const Vec3 smooth = S_i * (R[i] * delta);
     r.row(i) = lambda(i) * rigid + (1 - lambda(i)) * smooth;
-  }
+  });
   return r;
 }
 

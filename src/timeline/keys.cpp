@@ -160,7 +160,7 @@ constexpr KeySpec gltf[] = {
     {"encoding", "float or meshopt", Built::ignored},
     {"tolerance", "largest error of the playback: share of the diagonal, or %; exact meets any"},
     {"normals", "smooth (default) or none"},
-    {"max_targets", "most morph targets", Built::ignored},
+    {"max_targets", "most morph targets, 1 to 65535; default 200"},
     {"animation", "name of the animation, or the clip to merge into", Built::ignored},
     {"handles", "whether handles are written as nodes", Built::ignored},
     {"split", "whether moving faces become a mesh of their own", Built::ignored},

@@ -38,6 +38,15 @@ void check_profile(const Node& node, Scope& scope) {
                      {{"compat", std::nullopt}, {"web", std::nullopt}, {"exact", Profile::exact}}, scope);
 }
 
+constexpr int most_targets = 65535;  // more overflow the 16-bit counts of common loaders
+
+std::optional<int> read_max_targets(const Node& node, Scope& scope) {
+  const std::optional<int> targets = read_whole(node, scope);
+  if (!targets || (*targets >= 1 && *targets <= most_targets)) return targets;
+  scope.findings.error(node.where, fmt::format("max_targets {} is outside 1..{}", node.text, most_targets));
+  return std::nullopt;
+}
+
 GltfOutput read_gltf_mapping(const Node& node, Scope& scope) {
   const std::optional<Fields> fields = read_fields(node, gltf_keys, "'gltf'", scope.findings);
   if (!fields) return {};
@@ -46,6 +55,9 @@ GltfOutput read_gltf_mapping(const Node& node, Scope& scope) {
   if (path != nullptr) output = gltf_at(*path, "'path' in 'gltf'", scope);
   if (const Node* profile = fields->value("profile")) check_profile(*profile, scope);
   if (const Node* tolerance = fields->value("tolerance")) read_tolerance(*tolerance, scope);
+  if (const Node* targets = fields->value("max_targets")) {
+    output.max_targets = read_max_targets(*targets, scope).value_or(output.max_targets);
+  }
   if (const Node* normals = fields->value("normals")) {
     output.normals =
         read_word<bool>(*normals, "normals", {{"smooth", true}, {"none", false}}, scope).value_or(true);

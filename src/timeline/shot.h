@@ -55,7 +55,8 @@ struct MeshSource {
 struct GltfOutput {
   std::string path;  // as the timeline gives it, placeholders and all
   Mark where;
-  bool normals = true;  // `normals: smooth`
+  bool normals = true;    // `normals: smooth`
+  int max_targets = 200;  // more frames than this are refused
 };
 
 /// A run of the shot for each value of the swept key; empty means one run of the shot as it is.

@@ -79,6 +79,17 @@ TEST_F(Animate, PresetPaperClaimsNoConvergenceAndStrictDoesNotAsk) {
   EXPECT_THAT(result.errors, HasSubstr("no convergence claimed"));
 }
 
+TEST_F(Animate, MoreFramesThanMorphTargetsAreRefusedBeforeTheSolve) {
+  write("shot.yaml", std::string(test::minimal_shot) + "duration: 9s\n");
+  const ProgramResult result = run({"animate", "shot.yaml"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("217 frames make as many morph targets, above max_targets, 200"));
+  EXPECT_EQ(run({"animate", "shot.yaml", "--frames", "0-216x2"}).exit_code, 0);
+  const std::vector<std::string> raised{"animate", "shot.yaml", "--set",
+                                        "output={gltf: {path: b.glb, max_targets: 300}}"};
+  EXPECT_EQ(run(raised).exit_code, 0);
+}
+
 TEST_F(Animate, AShotWithoutAnOutputIsToldWhatToAdd) {
   write("shot.yaml", "mesh: bar.obj\nhandles: {base: {select: {axis: z, below: 1%}}}\n");
   const ProgramResult result = run({"animate", "shot.yaml"});

@@ -44,6 +44,13 @@ TEST_F(Check, CountsBothSidesOfASeamAsTheFileDoes) {
   EXPECT_EQ(report["mesh"]["surface_vertices"], 5);
 }
 
+TEST_F(Check, ASelectionThatFailsIsBlamedOnItsPlace) {
+  write("shot.yaml", test::minimal_shot);
+  const ProgramResult result = run({"check", "shot.yaml", "--set", "handles.tip.select={group: nose}"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("--set handles.tip.select: error: handle 'tip': no group 'nose'"));
+}
+
 TEST_F(Check, NamesDefectsOfTheMesh) {
   write("shot.yaml", test::minimal_shot);
   write("bar.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 9 9 9\nf 1 2 3\nf 1 2 3\nf 1 2 4\n");

@@ -106,7 +106,7 @@ TEST_F(Program, NeverWritesOverAnInput) {
 
 TEST_F(Program, AnInterruptLeavesNoHalfFile) {
   write("shot.yaml",
-        std::string(test::minimal_shot) + "fps: 200\nsolver: {iterations: 2000, tolerance: 0.0000000001%}\n");
+        std::string(test::minimal_shot) + "fps: 100\nsolver: {iterations: 2000, tolerance: 0.0000000001%}\n");
   const ProgramResult result =
       run({"animate", "shot.yaml", "-d", "out"}, {}, "timeout --foreground --preserve-status -s INT 0.4");
   EXPECT_EQ(result.exit_code, 130);

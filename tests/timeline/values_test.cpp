@@ -215,10 +215,12 @@ TEST(Mesh, Forms) {
 TEST(Output, Forms) {
   EXPECT_EQ(parse(with_base("")).gltf.path, "") << "a shot may be checked without outputs";
   EXPECT_EQ(parse(with_base("output: {gltf: a.glb}\n")).gltf.path, "a.glb");
-  const GltfOutput gltf = parse(with_base("output: {gltf: {normals: none, path: a.glb}}\n")).gltf;
+  const GltfOutput gltf = parse(with_base("output: {gltf: {normals: none, path: a.glb, max_targets: 9}}\n")).gltf;
   EXPECT_EQ(gltf.path, "a.glb");
   EXPECT_EQ(gltf.where.column, 38);
   EXPECT_FALSE(gltf.normals);
+  EXPECT_EQ(gltf.max_targets, 9);
+  EXPECT_EQ(GltfOutput().max_targets, 200);
 }
 
 }  // namespace

@@ -63,10 +63,10 @@ TEST(Warnings, OfOutputs) {
                   ignored("4:58", "frames"), ignored("4:69", "usd"), ignored("4:77", "report")));
   EXPECT_THAT(
       warnings_of(with_base(
-          "output: {gltf: {path: a.glb, basis: pca, profile: web, encoding: float, max_targets: 9}}\n")),
+          "output: {gltf: {path: a.glb, basis: pca, profile: web, encoding: float, split: auto}}\n")),
       ElementsAre(ignored("4:30", "basis"),
                   "shot.yaml:4:51: warning: profile 'web' is not built yet; exact is written",
-                  ignored("4:56", "encoding"), ignored("4:73", "max_targets")));
+                  ignored("4:56", "encoding"), ignored("4:73", "split")));
 }
 
 TEST(Warnings, OfLoops) {
