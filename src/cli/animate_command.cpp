@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/load.h"
@@ -18,22 +19,15 @@
 namespace flexkey::cli {
 namespace {
 
-/// The outputs' final paths, a run each. Refuses, before hours of solving, what could not be written after.
-std::vector<std::filesystem::path> plan_outputs(const LoadedShot& loaded, const ShotOptions& options,
-                                                const std::vector<Shot>& runs, int frames) {
-  std::vector<std::filesystem::path> paths;
-  for (const Shot& run : runs) {
-    if (run.gltf.path.empty())
-      throw UsageError(
-          fmt::format("{} names no output; add 'output: {}.glb'", loaded.shot.file, loaded.shot.name));
-    if (frames > run.gltf.max_targets)
-      throw UsageError(fmt::format(
-          "{} frames make as many morph targets, above max_targets, {}; lower fps, pick --frames, or "
-          "set output.gltf.max_targets (many viewers stop at 256)",
-          frames, run.gltf.max_targets));
-    paths.push_back(output_path(loaded, options, run.gltf.path));
-    OutputFile probe(paths.back());  // made and, uncommitted, removed again
-  }
+/// Where the outputs go. Refuses, before hours of solving, what could not be written after.
+std::vector<std::filesystem::path> require_outputs(const LoadedShot& loaded, const ShotOptions& options,
+                                                   const std::vector<Shot>& runs) {
+  std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs);
+  if (paths.empty())
+    throw UsageError(
+        fmt::format("{} names no output; add 'output: {}.glb'", loaded.shot.file, loaded.shot.name));
+  for (const std::filesystem::path& path : paths)
+    OutputFile probe(path);  // made and, uncommitted, removed again
   return paths;
 }
 
@@ -78,14 +72,14 @@ void print_report(const LoadedShot& loaded, const ShotOptions& options, const st
   if (!options.quiet) {
     for (const RunReport& report : reports)
       for (const WrittenFile& file : report.written)
-        for (const std::string& warning : file.gltf.warnings) fmt::print(stderr, "warning: {}\n", warning);
-    fmt::print(stderr, "{}", report_text(loaded, reports, load_seconds));
+        for (const std::string& warning : file.gltf.warnings) say(fmt::format("warning: {}\n", warning));
+    say(fmt::format("{}", report_text(loaded, reports, load_seconds)));
   }
   if (options.json) {
-    fmt::print("{}\n", report_json(loaded, reports, load_seconds));
+    print_result(fmt::format("{}\n", report_json(loaded, reports, load_seconds)));
   } else if (!options.quiet) {
     for (const RunReport& report : reports)
-      for (const WrittenFile& file : report.written) fmt::print("{}\n", file.path.string());
+      for (const WrittenFile& file : report.written) print_result(fmt::format("{}\n", file.path.string()));
   }
 }
 
@@ -97,14 +91,14 @@ int run_animate(const ShotOptions& options) {
   const Stopwatch load_watch;
   const LoadedShot loaded = load_shot(options);
   if (!options.quiet)
-    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+    for (const std::string& warning : loaded.warnings) say(fmt::format("{}\n", warning));
   const std::vector<Shot> runs = runs_of(loaded.shot);
   const std::vector<int> wanted = parse_frames(options.frames, loaded.shot.frame_count());
-  const int written = wanted.empty() ? loaded.shot.frame_count() : static_cast<int>(wanted.size());
-  const std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs, written);
+  const std::vector<std::filesystem::path> paths = require_outputs(loaded, options, runs);
   const Scene scene = bind_loaded(loaded, options);
   const double load_seconds = load_watch.seconds();
 
+  note_signals();
   std::vector<RunReport> reports;
   {
     const int frames = wanted.empty() ? loaded.shot.frame_count() : wanted.back() + 1;
@@ -113,8 +107,8 @@ int run_animate(const ShotOptions& options) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
       Solved solved = solve(loaded, runs[k], scene, wanted, progress);
       if (noted_signal() != 0) {
-        fmt::print(stderr, "\nflexkey: stopped by a signal after {} of {} frames; '{}' was not written\n",
-                   solved.report.frames.size(), frames, paths[k].string());
+        say(fmt::format("\nflexkey: stopped by a signal after {} of {} frames; '{}' was not written\n",
+                        solved.report.frames.size(), frames, paths[k].string()));
         return stopped_by_signal + noted_signal();
       }
       write(solved, runs[k], loaded, paths[k]);
@@ -122,8 +116,13 @@ int run_animate(const ShotOptions& options) {
     }
   }
   print_report(loaded, options, reports, load_seconds);
-  for (const RunReport& report : reports)
-    if (options.strict && !report.unconverged().empty()) return not_converged;
+  if (!options.strict) return done;
+  for (const RunReport& report : reports) {
+    if (report.unconverged().empty()) continue;
+    say(fmt::format("flexkey: error: {} of {} frames did not converge (--strict)\n",
+                    report.unconverged().size(), report.frames.size()));
+    return not_converged;
+  }
   return done;
 }
 

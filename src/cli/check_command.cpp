@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/load.h"
 #include "flexkey/animate/scene.h"
@@ -79,18 +80,22 @@ json summary(const LoadedShot& loaded, const Scene& scene) {
 
 void print_text(const json& summary) {
   const json& mesh = summary["mesh"];
-  fmt::print("{}: {} frames at {:g} fps, {:g} s\n", summary["shot"].get<std::string>(),
-             summary["frames"].get<int>(), summary["fps"].get<double>(), summary["duration"].get<double>());
-  fmt::print("mesh     {}: {} vertices, {} faces, {} component(s)\n", mesh["file"].get<std::string>(),
-             mesh["vertices"].get<int>(), mesh["faces"].get<int>(), mesh["components"].get<int>());
-  fmt::print("region   {} vertices, {} of them free\n", summary["roi"]["vertices"].get<int>(),
-             summary["roi"]["free"].get<int>());
+  print_result(fmt::format("{}: {} frames at {:g} fps, {:g} s\n", summary["shot"].get<std::string>(),
+                           summary["frames"].get<int>(), summary["fps"].get<double>(),
+                           summary["duration"].get<double>()));
+  print_result(fmt::format("mesh     {}: {} vertices, {} faces, {} component(s)\n",
+                           mesh["file"].get<std::string>(), mesh["vertices"].get<int>(),
+                           mesh["faces"].get<int>(), mesh["components"].get<int>()));
+  print_result(fmt::format("region   {} vertices, {} of them free\n", summary["roi"]["vertices"].get<int>(),
+                           summary["roi"]["free"].get<int>()));
   for (const json& handle : summary["handles"]) {
     const auto motions = handle["motions"].get<std::vector<std::string>>();
-    fmt::print("{}   {:<16} {:>6} vertices   {}\n", handle["anchor"].get<bool>() ? "anchor" : "handle",
-               handle["name"].get<std::string>(), handle["vertices"].get<int>(), fmt::join(motions, ", "));
+    print_result(fmt::format(
+        "{}   {:<16} {:>6} vertices   {}\n", handle["anchor"].get<bool>() ? "anchor" : "handle",
+        handle["name"].get<std::string>(), handle["vertices"].get<int>(), fmt::join(motions, ", ")));
   }
-  for (const json& output : summary["outputs"]) fmt::print("output   {}\n", output.get<std::string>());
+  for (const json& output : summary["outputs"])
+    print_result(fmt::format("output   {}\n", output.get<std::string>()));
 }
 
 }  // namespace
@@ -98,11 +103,12 @@ void print_text(const json& summary) {
 int run_check(const ShotOptions& options) {
   const LoadedShot loaded = load_shot(options);
   const Scene scene = bind_loaded(loaded, options);
+  plan_outputs(loaded, options, runs_of(loaded.shot));  // for its errors: what `animate` would refuse
   const json report = summary(loaded, scene);
   if (!options.quiet)
-    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+    for (const std::string& warning : loaded.warnings) say(fmt::format("{}\n", warning));
   if (options.json) {
-    fmt::print("{}\n", report.dump(2, ' ', false, json::error_handler_t::replace));
+    print_result(fmt::format("{}\n", report.dump(2, ' ', false, json::error_handler_t::replace)));
   } else if (!options.quiet) {
     print_text(report);
   }

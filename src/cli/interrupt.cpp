@@ -1,6 +1,7 @@
 #include "cli/interrupt.h"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace flexkey::cli {
 namespace {
@@ -15,10 +16,13 @@ extern "C" void note(int signal) {
 }  // namespace
 
 void note_signals() {
-  std::signal(SIGINT, note);
-  std::signal(SIGTERM, note);
-  // A reader that went away shows as a failed write, which has an exit code of its own.
-  std::signal(SIGPIPE, SIG_IGN);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, note);
+}
+
+void report_failed_writes() {
+  // A reader that went away and a file-size limit show as failed writes, which have an exit code of their
+  // own.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 int noted_signal() {

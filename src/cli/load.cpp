@@ -4,6 +4,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <cctype>
 #include <iterator>
 #include <system_error>
 
@@ -23,10 +24,38 @@ fs::path mesh_path_of(const Shot& shot) {
   return folder / shot.mesh.file;
 }
 
+/// A device or a pipe is written as it is; only a file has a name that tells its format.
+bool is_special(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_other(path, ignored) || fs::is_character_file(path, ignored) || fs::is_fifo(path, ignored);
+}
+
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;  // a file that is not there is the same as no other
   return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored) ||
          fs::equivalent(a, b, ignored);
+}
+
+int frames_to_write(const LoadedShot& loaded, const ShotOptions& options) {
+  const std::vector<int> wanted = parse_frames(options.frames, loaded.shot.frame_count());
+  return wanted.empty() ? loaded.shot.frame_count() : static_cast<int>(wanted.size());
+}
+
+/// What is wrong with writing a GLB there, or nothing.
+std::string fault_of_output(const LoadedShot& loaded, const fs::path& path, int max_targets, int frames) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension != ".glb" && !is_special(path))
+    return fmt::format("the output '{}' is a binary glTF and must end in '.glb'", path.string());
+  for (const fs::path& input : loaded.inputs)
+    if (same_file(path, input))
+      return fmt::format("the output '{}' would replace an input; give it another name", path.string());
+  if (frames > max_targets)
+    return fmt::format(
+        "{} frames make as many morph targets, above max_targets, {}; lower fps, pick --frames, or set "
+        "output.gltf.max_targets (many viewers stop at 256)",
+        frames, max_targets);
+  return {};
 }
 
 }  // namespace
@@ -47,8 +76,11 @@ LoadedShot load_shot(const ShotOptions& options) {
   for (const std::string& line : describe(find_defects(weld(loaded.mesh).surface)))
     loaded.warnings.push_back(fmt::format("warning: {}: {}", loaded.mesh_path.string(), line));
 
-  if (options.shot != "-") loaded.inputs.emplace_back(options.shot);
+  loaded.inputs = std::move(file.inputs);
+  loaded.inputs.emplace_back(options.shot == "-" ? "/dev/stdin" : options.shot);
   loaded.inputs.push_back(loaded.mesh_path);
+  for (const Material& material : loaded.mesh.materials)
+    if (!material.texture.empty()) loaded.inputs.push_back(loaded.mesh_path.parent_path() / material.texture);
   std::vector<std::string> hashed{text, read_file(loaded.mesh_path)};
   hashed.insert(hashed.end(), options.set.begin(), options.set.end());
   loaded.hash = hash_of(hashed);
@@ -66,13 +98,19 @@ Scene bind_loaded(const LoadedShot& loaded, const ShotOptions& options) {
   }
 }
 
-fs::path output_path(const LoadedShot& loaded, const ShotOptions& options, const std::string& path) {
-  const fs::path result = options.out_dir / path;  // an absolute path stays as it is
-  for (const fs::path& input : loaded.inputs)
-    if (same_file(result, input))
-      throw UsageError(
-          fmt::format("the output '{}' would replace an input; give it another name", result.string()));
-  return result;
+std::vector<fs::path> plan_outputs(const LoadedShot& loaded, const ShotOptions& options,
+                                   const std::vector<Shot>& runs) {
+  std::vector<fs::path> paths;
+  for (const Shot& run : runs) {
+    if (run.gltf.path.empty()) continue;
+    const fs::path path = options.out_dir / run.gltf.path;  // an absolute path stays as it is
+    const std::string wrong =
+        fault_of_output(loaded, path, run.gltf.max_targets, frames_to_write(loaded, options));
+    if (!wrong.empty())
+      throw TimelineError(loaded.shot.file, {error_at(run.gltf.where, wrong, options.overrides())});
+    paths.push_back(path);
+  }
+  return paths;
 }
 
 std::string hash_of(const std::vector<std::string>& parts) {

@@ -27,9 +27,10 @@ LoadedShot load_shot(const ShotOptions& options);
 /// Resolves the shot on its mesh. Throws TimelineError, whose places may be in the file or in a `--set`.
 Scene bind_loaded(const LoadedShot& loaded, const ShotOptions& options);
 
-/// Where an output path of a shot goes. Throws UsageError if that is one of the inputs.
-std::filesystem::path output_path(const LoadedShot& loaded, const ShotOptions& options,
-                                  const std::string& path);
+/// The outputs' final paths, a run each; none where the shot names none. Throws TimelineError for what could
+/// not be written after the solve: over an input, another file's name, more morph targets than are allowed.
+std::vector<std::filesystem::path> plan_outputs(const LoadedShot& loaded, const ShotOptions& options,
+                                                const std::vector<Shot>& runs);
 
 /// XXH3 128-bit hash in hexadecimal: to tell whether inputs are the same, not to guard against forgery.
 std::string hash_of(const std::vector<std::string>& parts);

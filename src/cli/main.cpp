@@ -1,13 +1,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <algorithm>
 #include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
+#include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "flexkey/mesh/error.h"
+#include "flexkey/mesh/spelling.h"
 #include "flexkey/timeline/diagnostic.h"
 
 namespace {
@@ -28,14 +33,14 @@ void add_shot_options(CLI::App& command, ShotOptions& options) {
       ->expected(1)
       ->take_all()
       ->trigger_on_parse(false);
+  command
+      .add_option("-d,--out-dir", options.out_dir, "Folder that outputs go to; made if missing (default: .)")
+      ->type_name("DIR");
   command.add_flag("--json", options.json, "Print a machine-readable report on standard output");
   command.add_flag("-q,--quiet", options.quiet, "Print errors only");
 }
 
 void add_run_options(CLI::App& command, ShotOptions& options) {
-  command
-      .add_option("-d,--out-dir", options.out_dir, "Folder that outputs go to; made if missing (default: .)")
-      ->type_name("DIR");
   command
       .add_option("--frames", options.frames, "Write these frames only; the solve still starts at frame 0")
       ->type_name("0-30,47,60-90x2");
@@ -53,24 +58,37 @@ int guarded(Command command) {
     return command();
   } catch (const TimelineError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics())
-      fmt::print(stderr, "{}\n", format_diagnostic(error.file(), diagnostic));
+      say(fmt::format("{}\n", format_diagnostic(error.file(), diagnostic)));
     return bad_timeline;
   } catch (const UsageError& error) {
-    fmt::print(stderr, "flexkey: error: {}\n", error.what());
+    say(fmt::format("flexkey: error: {}\n", error.what()));
     return bad_timeline;
   } catch (const InputError& error) {
-    fmt::print(stderr, "flexkey: error: {}\n", error.what());
+    say(fmt::format("flexkey: error: {}\n", error.what()));
     return bad_input;
   } catch (const OutputError& error) {
-    fmt::print(stderr, "flexkey: error: {}\n", error.what());
+    say(fmt::format("flexkey: error: {}\n", error.what()));
     return unwritten;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "flexkey: error: out of memory\n");
+    say(fmt::format("flexkey: error: out of memory\n"));
     return internal_fault;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "flexkey: internal fault: {}\n", error.what());
+    say(fmt::format("flexkey: internal fault: {}\n", error.what()));
     return internal_fault;
   }
+}
+
+/// What is wrong with the command's name, or nothing; flags and no name at all are left to CLI11.
+std::string unknown_command(int argc, char** argv) {
+  const std::vector<std::string> built{"animate", "check"};
+  const std::vector<std::string> planned{"solve", "export", "render", "inspect",
+                                         "init",  "pick",   "watch",  "schema"};
+  if (argc < 2 || argv[1][0] == '-') return {};
+  const std::string name = argv[1];
+  if (std::find(built.begin(), built.end(), name) != built.end()) return {};
+  if (std::find(planned.begin(), planned.end(), name) != planned.end())
+    return fmt::format("the command '{}' is not built yet", name);
+  return fmt::format("unknown command '{}'{}", name, did_you_mean(name, built));
 }
 
 }  // namespace
@@ -92,12 +110,17 @@ int main(int argc, char** argv) {
   add_shot_options(*check, options);
   check->footer("Example:\n  flexkey check timelines/leg.yaml --json\n");
 
+  report_failed_writes();
+  if (const std::string unknown = unknown_command(argc, argv); !unknown.empty()) {
+    say(fmt::format("flexkey: error: {}\n", unknown));
+    return bad_timeline;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? done : bad_timeline;
+    if (app.exit(error) != 0) return bad_timeline;
+    return std::cout.flush() ? done : unwritten;
   }
-  note_signals();
   if (animate->parsed()) return guarded([&] { return run_animate(options); });
   return guarded([&] { return run_check(options); });
 }

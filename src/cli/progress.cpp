@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "cli/console.h"
+
 namespace flexkey::cli {
 namespace {
 
@@ -20,8 +22,7 @@ Progress::Progress(int total, Verbosity verbosity)
       terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-  if (!quiet_ && terminal_ && done_ > 0)
-    std::fputs("\r\x1b[K", stderr);  // the report follows on a clean line
+  if (!quiet_ && terminal_ && done_ > 0) say("\r\x1b[K");  // the report follows on a clean line
 }
 
 void Progress::advance() {
@@ -37,9 +38,8 @@ void Progress::advance() {
   if (terminal_) {
     draw_bar(std::chrono::duration<double>(now - start_).count());
   } else {
-    fmt::print(stderr, "Progress: {}%\n", percent);
+    say(fmt::format("Progress: {}%\n", percent));
   }
-  std::fflush(stderr);
 }
 
 void Progress::draw_bar(double seconds) const {
@@ -48,8 +48,7 @@ void Progress::draw_bar(double seconds) const {
   for (int k = 0; k < bar_width; ++k) bar += k < filled ? "█" : "░";
   const double rate = seconds > 0 ? done_ / seconds : 0;
   const double left = rate > 0 ? (total_ - done_) / rate : 0;
-  fmt::print(stderr, "\r\x1b[K{} {}/{} frames  {:.1f} frames/s  {:.0f} s left", bar, done_, total_, rate,
-             left);
+  say(fmt::format("\r\x1b[K{} {}/{} frames  {:.1f} frames/s  {:.0f} s left", bar, done_, total_, rate, left));
 }
 
 }  // namespace flexkey::cli

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace flexkey::cli {
@@ -31,7 +32,7 @@ json frame_json(const FrameReport& frame) {
   return {{"frame", frame.frame},
           {"lambda", frame.lambda},
           {"solves", frame.solves},
-          {"step", frame.step},
+          {"estimate", std::isfinite(frame.estimate) ? json(frame.estimate) : json()},
           {"converged", frame.converged}};
 }
 

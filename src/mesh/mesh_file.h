@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace flexkey {
 /// What a reader makes of a file.
 struct MeshFile {
   Mesh mesh;
+  std::vector<std::filesystem::path> inputs;  // other files that were read: material libraries
   std::vector<std::string> warnings;  // a material library that is missing, elements that are passed over
 };
 

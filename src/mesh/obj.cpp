@@ -16,6 +16,14 @@
 namespace flexkey {
 namespace {
 
+constexpr double largest_coordinate = 1e30;  // its square and a sum of many are still numbers
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool is_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 // tinyobjloader takes `nan` and other words for 0 and tells no line numbers, so the OBJ itself is read here;
 // its materials, with their many options, are left to that library (mtl.h).
 class ObjParser {
@@ -63,6 +71,7 @@ void ObjParser::fail(const std::string& message) const {
 }
 
 void ObjParser::read(std::string_view text) {
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   std::string joined;  // a logical line that was continued with a backslash
   int lines = 0;
   while (!text.empty()) {
@@ -133,6 +142,8 @@ double ObjParser::next_number(std::string_view what) {
   const std::string_view word = next_word();
   if (word.empty()) fail(fmt::format("{} has too few coordinates", what));
   const std::optional<double> value = number_of(word);
+  if (value && std::isfinite(*value) && std::abs(*value) > largest_coordinate)
+    fail(fmt::format("{} has the coordinate '{}', beyond ±1e30", what, word.substr(0, 32)));
   if (!value || !std::isfinite(*value))
     fail(fmt::format("{} has the coordinate '{}', which is not a finite number", what, word.substr(0, 32)));
   return *value;
@@ -228,17 +239,18 @@ void ObjParser::choose_material() {
 void ObjParser::load_libraries() {
   // A library's name may hold spaces; the line is one name where such a file is there.
   std::vector<std::string> names;
-  if (std::filesystem::is_regular_file(folder_ / rest_of_line())) {
+  if (is_file(folder_ / rest_of_line())) {
     names.emplace_back(rest_of_line());
   } else {
     for (std::string_view word = next_word(); !word.empty(); word = next_word()) names.emplace_back(word);
   }
   for (const std::string& library : names) {
-    if (!std::filesystem::is_regular_file(folder_ / library)) {
+    if (!is_file(folder_ / library)) {
       file_.warnings.push_back(
           fmt::format("{}:{}: no material library '{}'; its materials are grey", name_, line_, library));
       continue;
     }
+    file_.inputs.push_back(folder_ / library);
     for (Material& material : read_mtl(folder_ / library))
       file_.mesh.materials[static_cast<std::size_t>(material_of(material.name))] = std::move(material);
   }

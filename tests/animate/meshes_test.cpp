@@ -36,9 +36,10 @@ TEST(RealMeshes, BendToAFiniteAnswerThatMeetsTheHandles) {
       EXPECT_TRUE(clip.frames[4].row(static_cast<Eigen::Index>(v)).allFinite());
       const auto& handles = scene.constraints.handles;
       const auto led = std::find(handles.begin(), handles.end(), scene.weld.to_surface[v]);
-      if (led != handles.end())
+      if (led != handles.end()) {
         EXPECT_EQ(clip.frames[4].row(static_cast<Eigen::Index>(v)), targets.row(led - handles.begin()))
             << entry.path();
+      }
     }
   }
   EXPECT_GT(meshes, 0);

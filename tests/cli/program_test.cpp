@@ -7,6 +7,7 @@
 
 #include "cli/run_program.h"
 #include "cli/work_folder.h"
+#include "flexkey/mesh/read_file.h"
 
 namespace flexkey {
 namespace {
@@ -97,16 +98,71 @@ TEST_F(Program, AFullDiskExitsFive) {
 
 TEST_F(Program, NeverWritesOverAnInput) {
   write("shot.yaml", test::minimal_shot);
-  for (const char* output : {"output=bar.obj", "output=./shot.yaml"}) {
-    const ProgramResult result = run({"animate", "shot.yaml", "--set", output});
-    EXPECT_EQ(result.exit_code, 2) << output;
-    EXPECT_THAT(result.errors, HasSubstr("would replace an input"));
-  }
+  for (const char* output : {"output=bar.obj", "output=./shot.yaml"})
+    EXPECT_EQ(run({"animate", "shot.yaml", "--set", output}).exit_code, 2) << output;
+  EXPECT_THAT(read_file(folder() / "bar.obj"), StartsWith("v "));
+}
+
+TEST_F(Program, NeverWritesOverWhatTheMeshRefersTo) {
+  write("shot.yaml", test::minimal_shot);
+  write("bar.mtl", "newmtl red\nKd 1 0 0\n");
+  write("bar.obj", "mtllib bar.mtl\n" + read_file(folder() / "bar.obj"));
+  EXPECT_EQ(run({"animate", "shot.yaml", "--set", "output=bar.mtl"}).exit_code, 2);
+  fs::create_symlink("bar.mtl", folder() / "link.glb");
+  const ProgramResult result = run({"animate", "shot.yaml", "--set", "output=link.glb"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors,
+              HasSubstr("--set output: error: the output './link.glb' would replace an input"));
+  EXPECT_THAT(read_file(folder() / "bar.mtl"), HasSubstr("newmtl red"));
+}
+
+TEST_F(Program, AnotherFileNameThanAGlbIsRefusedWithItsPlace) {
+  write("shot.yaml", test::minimal_shot);
+  for (const char* output : {"output=a.gltf", "output=a", "output=folder/", "output=."})
+    for (const char* command : {"animate", "check"}) {
+      const ProgramResult result = run({command, "shot.yaml", "--set", output});
+      EXPECT_EQ(result.exit_code, 2) << output;
+      EXPECT_THAT(result.errors, HasSubstr("--set output: error: the output"));
+    }
+  EXPECT_FALSE(fs::exists(folder() / "folder"));
+}
+
+TEST_F(Program, ALostReportExitsFiveAndLostMessagesDoNotMatter) {
+  write("shot.yaml", test::minimal_shot);
+  EXPECT_EQ(run({"check", "shot.yaml", "--json"}, {}, {}, ">/dev/full").exit_code, 5);
+  EXPECT_EQ(run({"--version"}, {}, {}, ">/dev/full").exit_code, 5);
+  EXPECT_EQ(run({"animate", "shot.yaml"}, {}, {}, "2>/dev/full").exit_code, 0);
+  EXPECT_EQ(run({"animate", "none.yaml"}, {}, {}, "2>/dev/full").exit_code, 2);
+  EXPECT_EQ(run({"animate", "shot.yaml"}, {}, {}, "2>&-").exit_code, 0);
+}
+
+TEST_F(Program, AFileSizeLimitExitsFiveAndLeavesNothing) {
+  write("shot.yaml", test::minimal_shot);
+  const ProgramResult result = run({"animate", "shot.yaml", "-d", "out"}, {}, "ulimit -f 20;");
+  EXPECT_EQ(result.exit_code, 5);
+  EXPECT_THAT(result.errors, HasSubstr("File too large"));
+  EXPECT_TRUE(fs::is_empty(folder() / "out"));
+}
+
+TEST_F(Program, AMeshThatCannotBeLookedAtExitsThree) {
+  write("shot.yaml", test::minimal_shot);
+  fs::remove(folder() / "bar.obj");
+  fs::create_symlink("bar.obj", folder() / "bar.obj");
+  EXPECT_EQ(run({"animate", "shot.yaml"}).exit_code, 3);
+  EXPECT_EQ(run({"animate", "shot.yaml", "--set", "mesh=" + std::string(300, 'x') + ".obj"}).exit_code, 3);
+}
+
+TEST_F(Program, AnUnknownCommandIsNamed) {
+  EXPECT_EQ(run({"anmate", "shot.yaml"}).errors,
+            "flexkey: error: unknown command 'anmate'; did you mean 'animate'?\n");
+  EXPECT_EQ(run({"render", "shot.yaml"}).errors, "flexkey: error: the command 'render' is not built yet\n");
+  EXPECT_EQ(run({"render", "shot.yaml"}).exit_code, 2);
 }
 
 TEST_F(Program, AnInterruptLeavesNoHalfFile) {
-  write("shot.yaml",
-        std::string(test::minimal_shot) + "fps: 100\nsolver: {iterations: 2000, tolerance: 0.0000000001%}\n");
+  write("bar.obj", test::obj_text(meshes::bar(10, 10, 40)));
+  write("shot.yaml", std::string(test::minimal_shot) +
+                         "fps: 100\nsolver: {accelerate: off, iterations: 300, tolerance: 0.0000000001%}\n");
   const ProgramResult result =
       run({"animate", "shot.yaml", "-d", "out"}, {}, "timeout --foreground --preserve-status -s INT 0.4");
   EXPECT_EQ(result.exit_code, 130);

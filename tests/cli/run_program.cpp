@@ -33,8 +33,8 @@ ProgramResult run_program(const std::filesystem::path& folder, const std::vector
   std::string words;
   for (const std::string& argument : arguments) words += fmt::format(" {}", quoted(argument));
   const std::string command =
-      fmt::format("cd {} && {} {}{} <.captured/in >.captured/out 2>.captured/err", quoted(folder.string()),
-                  surroundings.wrapper, quoted(FLEXKEY_PROGRAM), words);
+      fmt::format("cd {} && {} {}{} <.captured/in >.captured/out 2>.captured/err {}", quoted(folder.string()),
+                  surroundings.wrapper, quoted(FLEXKEY_PROGRAM), words, surroundings.redirect);
   const int status = std::system(command.c_str());
   ProgramResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -13,8 +13,9 @@ struct ProgramResult {
 };
 
 struct Surroundings {
-  std::string input;    // of standard input
-  std::string wrapper;  // a command that runs the program, such as `timeout -s INT 1`
+  std::string input;     // of standard input
+  std::string wrapper;   // a command that runs the program, such as `timeout -s INT 1`
+  std::string redirect;  // such as `2>/dev/full`
 };
 
 /// Runs build/flexkey in `folder` with these arguments.

@@ -49,8 +49,8 @@ class WorkFolder : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
   ProgramResult run(const std::vector<std::string>& arguments, const std::string& input = {},
-                    const std::string& wrapper = {}) const {
-    return run_program(folder_, arguments, {input, wrapper});
+                    const std::string& wrapper = {}, const std::string& redirect = {}) const {
+    return run_program(folder_, arguments, {input, wrapper, redirect});
   }
 
  private:

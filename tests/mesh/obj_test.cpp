@@ -88,6 +88,14 @@ TEST(Obj, NamesThePlaceOfABadNumber) {
   EXPECT_THAT(error_of("v 0 0\n"), HasSubstr("x.obj:1: vertex 0 has too few coordinates"));
 }
 
+TEST(Obj, SkipsAByteOrderMark) {
+  EXPECT_EQ(parse("\xEF\xBB\xBFv 7 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").positions(0, 0), 7);
+}
+
+TEST(Obj, RefusesCoordinatesThatCannotBeSquared) {
+  EXPECT_EQ(error_of("v 1e31 0 0\n"), "x.obj:1: vertex 0 has the coordinate '1e31', beyond ±1e30");
+}
+
 TEST(Obj, NamesThePlaceOfABadIndex) {
   EXPECT_EQ(error_of(std::string(square) + "f 1 2 5"),
             "x.obj:5: face 0 uses vertex index 5, but there are 4 so far");
@@ -124,6 +132,7 @@ TEST(Obj, ReadsItsMaterialLibrary) {
   EXPECT_NEAR(file.mesh.materials[0].opacity, 0.5, 1e-6);
   EXPECT_EQ(file.mesh.materials[0].texture, "skin.png");
   EXPECT_TRUE(file.warnings.empty());
+  EXPECT_THAT(file.inputs, ElementsAre(folder / "my paints.mtl"));
   std::filesystem::remove_all(folder);
 }
 
