@@ -2,8 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
-#include "flexkey/timeline/sampling.h"
+#include "flexkey/animate/handle_states.h"
 
 namespace flexkey {
 namespace {
@@ -43,6 +44,8 @@ DeformOptions deform_options(const SolverSettings& solver) {
   options.epsilon = solver.epsilon;
   options.iterations = solver.iterations;
   options.tolerance = solver.tolerance;
+  options.predict = solver.predict;
+  options.accelerate = solver.accelerate;
   options.fixed_count = solver.preset == SolverSettings::Preset::paper;
   return options;
 }
@@ -66,23 +69,36 @@ Positions file_positions(const Scene& scene, const Pose& pose) {
   return scatter(scene.weld, positions);
 }
 
+/// One frame's way for the handles.
+struct FrameStep {
+  const HandleStates& from;
+  const HandleStates& to;
+  double lambda;
+  double max_step;  // radians
+};
+
+/// Solves from one state of the handles to the next, in as many equal steps as keep each turn within
+/// max_step.
+SolveReport solve_frame(const Deformer& deformer, const Scene& scene, const FrameStep& step, Pose& pose) {
+  const Positions turns = turns_between(step.from, step.to);
+  const double largest = turns.rows() > 0 ? turns.rowwise().norm().maxCoeff() : 0;
+  const int parts = std::max(1, static_cast<int>(std::ceil(largest / step.max_step - 1e-9)));
+  SolveReport report;
+  int solves = 0;
+  for (int part = 1; part <= parts; ++part) {
+    const HandleStates at =
+        part == parts ? step.to : blend(step.from, step.to, static_cast<double>(part) / parts);
+    report = deformer.solve({targets_of(scene, at), turns / parts}, step.lambda, pose);
+    solves += report.solves;
+  }
+  report.solves = solves;
+  return report;
+}
+
 }  // namespace
 
 Positions sample_targets(const Scene& scene, double time) {
-  Positions targets(static_cast<Eigen::Index>(scene.constraints.handles.size()), 3);
-  Eigen::Index row = 0;
-  for (const SceneHandle& bound : scene.handles) {
-    const Eigen::Index count = bound.rest.rows();
-    if (!bound.handle.curve.empty()) {
-      targets.middleRows(row, count) = sample_curve(bound.handle.curve, bound.rest, time);
-    } else {
-      const HandleMotion motion = sample_motion(bound.handle, bound.pivot, time);
-      for (Eigen::Index k = 0; k < count; ++k)
-        targets.row(row + k) = motion.apply(bound.rest.row(k).transpose(), bound.pivot).transpose();
-    }
-    row += count;
-  }
-  return targets;
+  return targets_of(scene, sample_states(scene, time));
 }
 
 Clip animate(const Shot& shot, const Mesh& mesh, const Scene& scene, const std::vector<int>& wanted,
@@ -93,13 +109,17 @@ Clip animate(const Shot& shot, const Mesh& mesh, const Scene& scene, const std::
   clip.mesh = mesh;
   clip.fps = shot.fps;
   Pose pose = deformer.rest_pose();
+  HandleStates before = rest_states(scene);
   const int last = wanted.empty() ? shot.frame_count() - 1 : wanted.back();
   for (int frame = 0; frame <= last; ++frame) {
     if (hooks.stop && hooks.stop()) break;
     const double time = frame / shot.fps;
     const double lambda = sample_lambda(shot.lambda, time);
-    const SolveReport solved = deformer.solve(sample_targets(scene, time), lambda, pose);
-    const FrameReport report{frame, lambda, solved.solves, solved.step, solved.converged};
+    const HandleStates now = sample_states(scene, time);
+    const SolveReport solved =
+        solve_frame(deformer, scene, {before, now, lambda, shot.solver.max_step}, pose);
+    before = now;
+    const FrameReport report{frame, lambda, solved.solves, solved.estimate, solved.converged};
     if (wanted.empty() || std::binary_search(wanted.begin(), wanted.end(), frame)) {
       clip.frames.push_back(file_positions(scene, pose));
       clip.reports.push_back(report);

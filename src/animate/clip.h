@@ -12,7 +12,8 @@ struct FrameReport {
   int frame = 0;      // k; its time is k / fps
   double lambda = 0;  // λ of the frame, 0 smooth .. 1 rigid
   int solves = 0;     // global solves spent
-  double step = 0;    // the last step's largest vertex motion, as a share of the rest diagonal
+  double estimate =
+      0;  // of the distance to the converged answer, a share of the rest diagonal; infinite: unknown
   bool converged = false;
 };
 

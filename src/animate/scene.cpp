@@ -62,9 +62,11 @@ Scene Binder::bind() {
   if (errors_.empty()) place_loose_components();
   if (!errors_.empty()) throw TimelineError(shot_.file, std::move(errors_));
 
-  for (const SceneHandle& handle : scene_.handles)
-    scene_.constraints.handles.insert(scene_.constraints.handles.end(), handle.vertices.begin(),
-                                      handle.vertices.end());
+  for (std::size_t h = 0; h < scene_.handles.size(); ++h)
+    for (const int v : scene_.handles[h].vertices) {
+      scene_.constraints.handles.push_back(v);
+      scene_.constraints.owner.push_back(static_cast<int>(h));
+    }
   for (int v = 0; v < scene_.weld.surface.vertex_count(); ++v) {
     if (!in_region_[index(v)]) continue;
     scene_.constraints.region.push_back(v);

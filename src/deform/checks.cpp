@@ -93,6 +93,14 @@ void require_sound(const Constraints& constraints, int vertex_count) {
     if (!inside[v]) throw DeformError(fmt::format("handle vertex {} lies outside the region of interest", v));
     held[v] = true;
   }
+  const std::size_t owners = constraints.owner.size();
+  if (owners != 0 && owners != constraints.handles.size()) {
+    throw DeformError(
+        fmt::format("{} owners were given for {} handle vertices", owners, constraints.handles.size()));
+  }
+  for (const int handle : constraints.owner) {
+    if (handle < 0 || handle >= vertex_count) throw DeformError(fmt::format("there is no handle {}", handle));
+  }
 }
 
 void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>& is_free) {
@@ -115,6 +123,14 @@ void require_targets(const Positions& targets, std::size_t handle_count) {
         fmt::format("{} targets were given for {} handle vertices", targets.rows(), handle_count));
   }
   if (!targets.allFinite()) throw DeformError("a handle's target is not a finite position");
+}
+
+void require_turns(const Positions& turns, Eigen::Index handle_count, bool predicts) {
+  if (turns.rows() == 0) return;
+  if (predicts && turns.rows() != handle_count) {
+    throw DeformError(fmt::format("{} turns were given for {} handles", turns.rows(), handle_count));
+  }
+  if (!turns.allFinite()) throw DeformError("a handle's turn is not finite");
 }
 
 void require_lambda(const Eigen::VectorXd& lambda, Eigen::Index vertex_count) {

@@ -18,6 +18,8 @@ void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>&
 /// That a frame's values fit the surface: targets #handles x 3 and lambda #V in [0, 1], positions #V x 3, all
 /// finite, and a pose of #V vertices.
 void require_targets(const Positions& targets, std::size_t handle_count);
+/// turns: none, or handle_count x 3 where the deformer predicts.
+void require_turns(const Positions& turns, Eigen::Index handle_count, bool predicts);
 void require_lambda(const Eigen::VectorXd& lambda, Eigen::Index vertex_count);
 void require_positions(const Positions& positions, Eigen::Index vertex_count);
 void require_pose(const Pose& pose, Eigen::Index vertex_count);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "flexkey/deform/error.h"
@@ -11,8 +12,21 @@ namespace flexkey {
 
 /// Which vertices the solve may move and which it must meet. All indices are of the rest mesh.
 struct Constraints {
-  std::vector<int> handles;  // vertices whose positions are given, handles and anchors alike; no repeats
-  std::vector<int> region;   // the region of interest; empty means the whole mesh
+  std::vector<int> handles;      // vertices whose positions are given, handles and anchors alike; no repeats
+  std::vector<int> region = {};  // the region of interest; empty means the whole mesh
+  std::vector<int> owner =
+      {};  // #handles, which handle leads each vertex, from 0; empty: one handle leads all
+};
+
+/// Where one frame's constraints go.
+struct Targets {
+  Positions positions;    // #handles x 3, of Constraints::handles
+  Positions turns{0, 3};  // a row a handle: its world rotation vector since the last frame, radians, whole
+                          // turns counted; empty: none is known
+  template <class Expression>
+  Targets(const Eigen::MatrixBase<Expression>& where) : positions(where) {}  // NOLINT: no turns are known
+  Targets(Positions where, Positions how_turned)
+      : positions(std::move(where)), turns(std::move(how_turned)) {}
 };
 
 /// One frame's answer and the next frame's warm start. The caller owns it.
@@ -26,11 +40,16 @@ struct Pose {
   bool converged = false;
   bool started =
       false;  // whether a frame was ever solved into it; `fixed_count` begins its first differently
+  // What the next frame's prediction and error estimate go by:
+  std::vector<Eigen::Matrix3d> earlier;  // #V, the rotations of the frame before; empty at the start
+  bool continues = false;                // the last frame was met better by continuing R_i than by the turns
+  double stretch = 0;                    // κ as last measured; 0: not yet
 };
 
 struct SolveReport {
-  int solves = 0;   // global solves spent
-  double step = 0;  // the last step's largest vertex motion, as a share of the diagonal
+  int solves = 0;       // global solves spent
+  double step = 0;      // the last step's largest vertex motion, as a share of the diagonal
+  double estimate = 0;  // of the distance to the fixed point, likewise; infinite where nothing can be said
   bool converged = false;
 };
 
@@ -51,10 +70,10 @@ class Deformer {
   Pose pose_at(const Positions& positions) const;
 
   /// Moves `pose`, the frame before, to this frame's answer: a fixed point of one local and one global step.
-  /// targets: #handles x 3, where Constraints::handles go. lambda: one value or #V values in [0, 1].
+  /// lambda: one value or #V values in [0, 1].
   /// Throws DeformError, and leaves the pose as it was, if a value does not fit or the answer is not finite.
-  SolveReport solve(const Positions& targets, double lambda, Pose& pose) const;
-  SolveReport solve(const Positions& targets, const Eigen::VectorXd& lambda, Pose& pose) const;
+  SolveReport solve(const Targets& targets, double lambda, Pose& pose) const;
+  SolveReport solve(const Targets& targets, const Eigen::VectorXd& lambda, Pose& pose) const;
 
  private:
   struct State;

@@ -11,13 +11,15 @@ struct Problem {
   DeformOptions options;
   Patch patch;
   LaplacianSystem system;
-  double diagonal = 0;  // of the rest mesh's bounding box
+  double diagonal = 0;       // of the rest mesh's bounding box
+  Eigen::MatrixXd harmonic;  // #fitted x #handles, see harmonic_weights; empty without prediction
 };
 
 /// Where the iteration is, in patch numbering.
 struct Iterate {
   Positions positions;    // #patch x 3
-  Transforms transforms;  // fitted to positions
+  Transforms transforms;  // fitted to positions, or predicted for the frame
+  double stretch = 0;  // κ as last measured: how much farther the fixed point may be than a step; 0: unknown
 };
 
 struct FixedPoint {
@@ -26,8 +28,11 @@ struct FixedPoint {
 };
 
 /// Goes from `from` towards the fixed point of P -> solve(r(R(P), S(P)), c) in at most `solves` global steps.
-/// from: the fixed vertices already at their targets, the transforms those of the frame before.
-/// lambda: #patch. Throws DeformError if the positions leave the range of numbers.
+/// The answer is always what a solve gave. It counts as converged when the estimated distance to the fixed
+/// point that plain iteration would reach is within the tolerance: κ times the step, κ = max(1, ‖ΔP‖/‖Δf‖),
+/// or without acceleration the geometric series that the steps' shrinking promises.
+/// from: the fixed vertices already at their targets. lambda: #patch.
+/// Throws DeformError if the positions leave the range of numbers.
 FixedPoint iterate(const Problem& problem, Iterate from, const Eigen::VectorXd& lambda, int solves);
 
 }  // namespace flexkey

@@ -13,6 +13,8 @@ struct DeformOptions {
   Weights weights = Weights::clamped;
   int iterations = 30;       // most global solves a frame, at least 1
   double tolerance = 1e-3;   // share of the rest mesh's bounding-box diagonal
+  bool predict = true;       // start a frame from turned rotations, not from the last frame's as they are
+  bool accelerate = true;    // Anderson acceleration of the fixed-point iteration
   bool fixed_count = false;  // run all iterations and claim no convergence (`preset: paper`)
 };
 

@@ -137,9 +137,9 @@ constexpr KeySpec solver[] = {
     {"cell", "spokes or spokes-and-rims", Built::ignored},
     {"iterations", "most global solves a frame, 1..100000; default 30"},
     {"tolerance", "share of the diagonal, or %; default 0.1%"},
-    {"predict", "whether a frame's start is predicted", Built::ignored},
-    {"accelerate", "whether iterations are accelerated", Built::ignored},
-    {"max_step", "largest turn a substep, deg or rad", Built::ignored},
+    {"predict", "whether a frame starts from rotations predicted by the handles' turns: on (default) or off"},
+    {"accelerate", "Anderson acceleration of the iterations: on (default) or off"},
+    {"max_step", "largest turn of a handle in one solve, deg or rad, above 0, or off; default 30deg"},
     {"area_weighting", "whether rows are weighted by vertex area", Built::ignored},
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "flexkey/timeline/fields.h"
 #include "flexkey/timeline/scalar.h"
 #include "flexkey/timeline/words.h"
@@ -50,6 +52,14 @@ std::optional<System> read_system(const Node& node, Scope& scope) {
                            {{"least-squares", System::least_squares}, {"direct", System::direct}}, scope);
 }
 
+std::optional<double> read_max_step(const Node& node, Scope& scope) {
+  if (node.kind == Node::Kind::scalar && node.text == "off") return std::numeric_limits<double>::infinity();
+  const std::optional<double> step = read_angle(node, scope);
+  if (!step || *step > 0) return step;
+  scope.findings.error(node.where, fmt::format("max_step {} is not above 0", node.text));
+  return std::nullopt;
+}
+
 Preset read_preset(const Node& node, Scope& scope) {
   return read_word<Preset>(node, "preset", {{"quality", Preset::quality}, {"paper", Preset::paper}}, scope)
       .value_or(Preset::quality);
@@ -66,6 +76,9 @@ SolverSettings preset_settings(Preset preset) {
     settings.epsilon = 0;
     settings.weights = Weights::cotangent;
     settings.iterations = 2;
+    settings.predict = false;
+    settings.accelerate = false;
+    settings.max_step = std::numeric_limits<double>::infinity();
   }
   return settings;
 }
@@ -93,6 +106,15 @@ SolverSettings read_solver(const Node& node, Scope& scope) {
   }
   if (const Node* value = fields->value("tolerance")) {
     settings.tolerance = read_tolerance(*value, scope).value_or(settings.tolerance);
+  }
+  if (const Node* value = fields->value("predict")) {
+    settings.predict = read_switch(*value, scope).value_or(settings.predict);
+  }
+  if (const Node* value = fields->value("accelerate")) {
+    settings.accelerate = read_switch(*value, scope).value_or(settings.accelerate);
+  }
+  if (const Node* value = fields->value("max_step")) {
+    settings.max_step = read_max_step(*value, scope).value_or(settings.max_step);
   }
   return settings;
 }

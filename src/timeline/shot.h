@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,6 +41,9 @@ struct SolverSettings {
   Weights weights = Weights::clamped;
   int iterations = 30;
   double tolerance = 1e-3;  // share of the diagonal
+  bool predict = true;
+  bool accelerate = true;
+  double max_step = std::numbers::pi / 6;  // radians that a handle turns in one solve; infinite: off
 };
 
 /// What the mesh key says.

@@ -101,7 +101,7 @@ TEST(DeformErrors, AFramesValuesThatDoNotFitLeaveThePoseAlone) {
 TEST(DeformErrors, APoseOfAnotherMesh) {
   const Deformer small(meshes::cube(), {{0}, {}}), large(meshes::bar(3, 1, 1), {{0}, {}});
   Pose pose = large.rest_pose();
-  EXPECT_EQ(message_of([&] { small.solve(Positions::Zero(1, 3), 0.5, pose); }),
+  EXPECT_EQ(message_of([&] { small.solve(Positions(Positions::Zero(1, 3)), 0.5, pose); }),
             "the pose is not one of this mesh's 8 vertices");
   EXPECT_EQ(message_of([&] { small.pose_at(Positions::Zero(3, 3)); }),
             "3 positions were given for 8 vertices");

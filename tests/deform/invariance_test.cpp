@@ -26,6 +26,7 @@ void expect_fixed_point(const Mesh& mesh, const Positions& moved, double lambda,
   const std::vector<int> handles = ends_of(mesh, mesh.positions.col(0).maxCoeff());
   DeformOptions plain = options;
   plain.iterations = 20;
+  plain.predict = plain.accelerate = false;
   plain.fixed_count = true;
   const Deformer deformer(mesh, {handles, {}}, plain);
   Pose pose = deformer.pose_at(moved);

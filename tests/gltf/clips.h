@@ -87,7 +87,8 @@ inline Clip clip_of(Mesh mesh, int frames, const Motion& motion) {
     for (Eigen::Index v = 0; v < frame.rows(); ++v)
       frame.row(v) = motion(frame.row(v).transpose(), k).transpose();
     clip.frames.push_back(std::move(frame));
-    clip.reports.push_back({.frame = k, .lambda = 0.5 + 0.01 * k, .solves = 1, .step = 0, .converged = true});
+    clip.reports.push_back(
+        {.frame = k, .lambda = 0.5 + 0.01 * k, .solves = 1, .estimate = 0, .converged = true});
   }
   return clip;
 }

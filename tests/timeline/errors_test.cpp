@@ -302,6 +302,8 @@ TEST(Errors, OfMeshSolverAndOutput) {
       {with_base("output: {gltf: {profile: exact}}\n"), "4:16: error: 'gltf' needs 'path'"},
       {with_base("output: {gltf: {path: a.glb, profile: exat}}\n"),
        "4:39: error: unknown profile 'exat'; did you mean 'exact'?"},
+      {with_base("solver: {max_step: 0deg}\n"), "4:20: error: max_step 0deg is not above 0"},
+      {with_base("solver: {predict: maybe}\n"), "4:19: error: 'maybe' is neither on nor off"},
       {with_base("output: {gltf: {path: a.glb, max_targets: 0}}\n"),
        "4:43: error: max_targets 0 is outside 1..65535"},
       {with_base("output: {gltf: {path: a.glb, normals: flat}}\n"),

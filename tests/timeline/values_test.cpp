@@ -183,6 +183,18 @@ TEST(Solver, Presets) {
   EXPECT_EQ(paper.epsilon, 0);
   EXPECT_EQ(paper.weights, SolverSettings::Weights::cotangent);
   EXPECT_EQ(paper.iterations, 2);
+  EXPECT_TRUE(quality.predict && quality.accelerate);
+  EXPECT_NEAR(quality.max_step, std::numbers::pi / 6, 1e-15);
+  EXPECT_FALSE(paper.predict || paper.accelerate);
+  EXPECT_TRUE(std::isinf(paper.max_step));
+}
+
+TEST(Solver, PredictionAndAcceleration) {
+  const SolverSettings solver =
+      parse(with_base("solver: {predict: off, accelerate: no, max_step: 10deg}\n")).solver;
+  EXPECT_FALSE(solver.predict || solver.accelerate);
+  EXPECT_NEAR(solver.max_step, std::numbers::pi / 18, 1e-15);
+  EXPECT_TRUE(std::isinf(parse(with_base("solver: {max_step: off}\n")).solver.max_step));
 }
 
 TEST(Solver, ExplicitKeysWinOverThePreset) {
@@ -215,7 +227,8 @@ TEST(Mesh, Forms) {
 TEST(Output, Forms) {
   EXPECT_EQ(parse(with_base("")).gltf.path, "") << "a shot may be checked without outputs";
   EXPECT_EQ(parse(with_base("output: {gltf: a.glb}\n")).gltf.path, "a.glb");
-  const GltfOutput gltf = parse(with_base("output: {gltf: {normals: none, path: a.glb, max_targets: 9}}\n")).gltf;
+  const GltfOutput gltf =
+      parse(with_base("output: {gltf: {normals: none, path: a.glb, max_targets: 9}}\n")).gltf;
   EXPECT_EQ(gltf.path, "a.glb");
   EXPECT_EQ(gltf.where.column, 38);
   EXPECT_FALSE(gltf.normals);

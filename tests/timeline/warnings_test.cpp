@@ -42,15 +42,14 @@ TEST(Warnings, EulerAnglesAreLeftOut) {
 TEST(Warnings, OfMeshSolverAndLambda) {
   const std::string text =
       "mesh: {file: a.obj, nodes: all, up: z}\nhandles: {base: {select: {group: a}}}\n"
-      "solver: {cell: spokes, predict: on, accelerate: off, max_step: 30deg, area_weighting: on, "
+      "solver: {cell: spokes, area_weighting: on, "
       "weights: intrinsic-delaunay}\n"
       "lambda: {keys: {0s: 1}, regions: [{value: 7}]}\n";
   EXPECT_THAT(
       warnings_of(text),
       ElementsAre(ignored("1:21", "nodes"), ignored("1:33", "up"), ignored("3:10", "cell"),
-                  ignored("3:24", "predict"), ignored("3:37", "accelerate"), ignored("3:54", "max_step"),
-                  ignored("3:71", "area_weighting"),
-                  "shot.yaml:3:100: warning: weights 'intrinsic-delaunay' is not built yet and is ignored",
+                  ignored("3:24", "area_weighting"),
+                  "shot.yaml:3:53: warning: weights 'intrinsic-delaunay' is not built yet and is ignored",
                   ignored("4:25", "regions")));
   EXPECT_EQ(parse(text).solver.weights, SolverSettings::Weights::clamped);
 }
@@ -61,12 +60,11 @@ TEST(Warnings, OfOutputs) {
           "output: {gltf: a.glb, preview: 1, cache: a.pc2, html: x, frames: y, usd: z, report: r}\n")),
       ElementsAre(ignored("4:23", "preview"), ignored("4:35", "cache"), ignored("4:49", "html"),
                   ignored("4:58", "frames"), ignored("4:69", "usd"), ignored("4:77", "report")));
-  EXPECT_THAT(
-      warnings_of(with_base(
-          "output: {gltf: {path: a.glb, basis: pca, profile: web, encoding: float, split: auto}}\n")),
-      ElementsAre(ignored("4:30", "basis"),
-                  "shot.yaml:4:51: warning: profile 'web' is not built yet; exact is written",
-                  ignored("4:56", "encoding"), ignored("4:73", "split")));
+  EXPECT_THAT(warnings_of(with_base(
+                  "output: {gltf: {path: a.glb, basis: pca, profile: web, encoding: float, split: auto}}\n")),
+              ElementsAre(ignored("4:30", "basis"),
+                          "shot.yaml:4:51: warning: profile 'web' is not built yet; exact is written",
+                          ignored("4:56", "encoding"), ignored("4:73", "split")));
 }
 
 TEST(Warnings, OfLoops) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "flexkey/animate/scene.h"
+#include "flexkey/timeline/sampling.h"
+
+namespace flexkey {
+
+/// Where all handles of a scene are at one time.
+struct HandleStates {
+  std::vector<HandleMotion> motions;  // #handles; unused for a `curve` handle
+  std::vector<Positions> curves;      // #handles, the vertices of a `curve` handle; else empty
+};
+
+/// All handles at rest, and as the timeline has them at a time (seconds).
+HandleStates rest_states(const Scene& scene);
+HandleStates sample_states(const Scene& scene, double time);
+
+/// Between two states, by their parameters: angles, offsets and factors, so that half of two turns is one.
+/// share: 0 is `from`, 1 is `to`.
+HandleStates blend(const HandleStates& from, const HandleStates& to, double share);
+
+/// Where the vertices of Scene::constraints.handles go, #vertices x 3.
+Positions targets_of(const Scene& scene, const HandleStates& states);
+
+/// Each handle's world rotation vector from one state to the next, #handles x 3, radians: from the keyed
+/// angles, whole turns counted; for a `curve` handle the rotation that best maps its vertices.
+Positions turns_between(const HandleStates& from, const HandleStates& to);
+
+}  // namespace flexkey
