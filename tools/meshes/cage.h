@@ -11,8 +11,8 @@ namespace flexkey::meshes {
 using Patch = std::vector<Index>;
 
 // Surface of the half box over the given grid lines; xs starts at 0 and that side stays open.
-QuadMesh half_box(const std::vector<double>& xs, const std::vector<double>& ys,
-                  const std::vector<double>& zs, const std::string& part);
+QuadMesh half_box(const std::vector<double>& xs, const std::vector<double>& ys, const std::vector<double>& zs,
+                  const std::string& part);
 
 // Faces whose centre lies in the box lo..hi and whose normal points along `facing`.
 Patch select(const QuadMesh& mesh, const Vec3& lo, const Vec3& hi, const Vec3& facing);
@@ -23,8 +23,8 @@ Patch pick(const QuadMesh& mesh, const Vec3& point, const Vec3& facing);
 
 // Brings the patch to the foot of a detail, widens it when it is too small, and puts a loop of that
 // radius in it, square when the patch is a single quad; the detail grows from that loop.
-void seat(QuadMesh& mesh, const Patch& patch, const std::string& part, const Vec3& foot,
-          const Vec3& facing, double radius);
+void seat(QuadMesh& mesh, const Patch& patch, const std::string& part, const Vec3& foot, const Vec3& facing,
+          double radius);
 
 void set_part(QuadMesh& mesh, const Patch& patch, const std::string& part);
 
@@ -40,9 +40,9 @@ void inset(QuadMesh& mesh, const Patch& patch, const std::string& part, double s
 // One cross-section of a tube: where its middle lies, how large it is (mean distance of the rim's
 // and inner vertices), and which way it faces; along the path when no direction is given.
 struct Section {
-    Vec3 centre;
-    double radius;
-    Vec3 facing = Vec3::Zero();
+  Vec3 centre;
+  double radius;
+  Vec3 facing = Vec3::Zero();
 };
 
 // Extrudes a patch along a path; each section is square to its direction.

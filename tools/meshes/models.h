@@ -12,8 +12,8 @@
 namespace flexkey::meshes {
 
 struct Model {
-    QuadMesh mesh;
-    std::map<std::string, Colour> colours;
+  QuadMesh mesh;
+  std::map<std::string, Colour> colours;
 };
 
 // Wraps a half cage onto the clay, so that details can be set on its cells where the skin is.
@@ -21,8 +21,7 @@ void fit_cage(QuadMesh& half_cage, const Clay& clay, const WrapOptions& options)
 
 // Completes a half cage and refines it, wrapping it onto the clay after each subdivision: `levels`
 // holds the options, one set a subdivision.
-QuadMesh shaped(const QuadMesh& half_cage, const Clay& clay,
-                const std::vector<WrapOptions>& levels);
+QuadMesh shaped(const QuadMesh& half_cage, const Clay& clay, const std::vector<WrapOptions>& levels);
 
 Model make_head();
 Model make_pig();

@@ -19,12 +19,12 @@ using Quad = std::array<Index, 4>;
 // The mirror maps tell which vertex and which face lie across the plane x = 0; they are carried
 // through subdivision so that symmetry holds exactly, not just within rounding.
 struct QuadMesh {
-    std::vector<Vec3> vertices;
-    std::vector<Quad> faces;
-    std::vector<Index> parts;
-    std::vector<std::string> part_names;
-    std::vector<Index> vertex_mirror;
-    std::vector<Index> face_mirror;
+  std::vector<Vec3> vertices;
+  std::vector<Quad> faces;
+  std::vector<Index> parts;
+  std::vector<std::string> part_names;
+  std::vector<Index> vertex_mirror;
+  std::vector<Index> face_mirror;
 };
 
 // Index of the part of that name, added when it is new.
