@@ -43,7 +43,7 @@ struct Pose {
   // What the next frame's prediction and error estimate go by:
   std::vector<Eigen::Matrix3d> earlier;  // #V, the rotations of the frame before; empty at the start
   bool continues = false;                // the last frame was met better by continuing R_i than by the turns
-  double stretch = 0;                    // κ as last measured; 0: not yet
+  double stretch = 0;                    // κ as measured by the last frames; 0: not yet
 };
 
 struct SolveReport {

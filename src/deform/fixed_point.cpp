@@ -17,6 +17,7 @@ namespace {
 /// Steps this much smaller than the tolerance are its rounding noise, whose tail cannot be judged.
 constexpr double still = 1e-6;
 constexpr int anderson_window = 5;
+constexpr double fading = 0.98;  // of κ, a frame
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 /// One run of the iteration: where it is and what it has spent.
@@ -37,6 +38,7 @@ class Iteration {
   const SolveReport& report() const { return result_.report; }
   void remember_stretch(double stretch) { result_.at.stretch = stretch; }
   double stretch() const { return result_.at.stretch; }
+  double diagonal() const { return problem_.diagonal; }
   FixedPoint finish() { return std::move(result_); }
 
  private:
@@ -81,19 +83,28 @@ void iterate_plainly(Iteration& iteration, int solves) {
   }
 }
 
+/// How far the fixed point may be, as a share of the diagonal: κ times the step, and no less than the way
+/// that the mixture of the last steps would take at once, which sees slow modes that a single step hides.
+double estimated_distance(const Iteration& iteration, const Positions& plain, const Positions& mixed) {
+  if (iteration.stretch() == 0) return unknown;
+  const double jump = (mixed - plain).rowwise().norm().maxCoeff() / iteration.diagonal();
+  return std::max(std::max(1.0, iteration.stretch()) * iteration.report().step, jump);
+}
+
 void iterate_accelerated(Iteration& iteration, int solves) {
   // The first step leaves predicted rotations for positions that agree with their own: no pair to mix.
   const Positions start = iteration.step();
   iteration.move(iteration.free_positions() + start);
+  // A frame that stops at its first look measures no κ, so what earlier frames measured fades slowly.
+  iteration.remember_stretch(fading * iteration.stretch());
   Anderson anderson(anderson_window);
   while (iteration.report().solves < solves) {
-    const Positions x = iteration.free_positions(), f = iteration.step();
-    const Positions next = anderson.next(x, f);
-    const double measured = anderson.stretch() > 0 ? anderson.stretch() : iteration.stretch();
-    if (measured > 0) iteration.remember_stretch(measured);
-    const double estimate = measured > 0 ? std::max(1.0, measured) * iteration.report().step : unknown;
-    const bool done = iteration.settles(estimate) || iteration.report().solves == solves;
-    iteration.move(done ? Positions(x + f) : next);
+    const Positions x = iteration.free_positions(), f = iteration.step(), plain = x + f;
+    const Positions mixed = anderson.next(x, f);
+    iteration.remember_stretch(std::max(anderson.stretch(), iteration.stretch()));
+    const bool settled = iteration.settles(estimated_distance(iteration, plain, mixed));
+    const bool done = settled || iteration.report().solves == solves;
+    iteration.move(done ? plain : mixed);
     if (done) return;
   }
 }

@@ -30,9 +30,9 @@ struct FixedPoint {
 /// Goes from `from` towards the fixed point of P -> solve(r(R(P), S(P)), c) in at most `solves` global steps.
 /// The answer is always what a solve gave. It counts as converged when the estimated distance to the fixed
 /// point that plain iteration would reach is within the tolerance: κ times the step, κ = max(1, ‖ΔP‖/‖Δf‖),
-/// or without acceleration the geometric series that the steps' shrinking promises.
-/// from: the fixed vertices already at their targets. lambda: #patch.
-/// Throws DeformError if the positions leave the range of numbers.
+/// and the jump of the mixture; or without acceleration the geometric series that the steps' shrinking
+/// promises. from: the fixed vertices already at their targets. lambda: #patch. Throws DeformError if the
+/// positions leave the range of numbers.
 FixedPoint iterate(const Problem& problem, Iterate from, const Eigen::VectorXd& lambda, int solves);
 
 }  // namespace flexkey
