@@ -88,6 +88,9 @@ void print_text(const json& summary) {
                            mesh["faces"].get<int>(), mesh["components"].get<int>()));
   print_result(fmt::format("region   {} vertices, {} of them free\n", summary["roi"]["vertices"].get<int>(),
                            summary["roi"]["free"].get<int>()));
+  if (const int riders = summary["riders"].get<int>(); riders > 0)
+    print_result(
+        fmt::format("loose    {} component(s) that no handle touches ride on the surface\n", riders));
   for (const json& handle : summary["handles"]) {
     const auto motions = handle["motions"].get<std::vector<std::string>>();
     print_result(fmt::format(

@@ -24,6 +24,16 @@ fs::path mesh_path_of(const Shot& shot) {
   return folder / shot.mesh.file;
 }
 
+/// Reads the shot's mesh; a file that is not there is blamed on the line that names it.
+MeshFile read_named_mesh(const Shot& shot, const fs::path& path) {
+  std::error_code ignored;
+  const Mark where = shot.mesh.where;
+  if (where.line > 0 && !fs::exists(path, ignored))
+    throw InputError(fmt::format("{}:{}:{}: cannot read '{}': No such file or directory", shot.file,
+                                 where.line, where.column, path.string()));
+  return read_mesh(path);
+}
+
 /// A device or a pipe is written as it is; only a file has a name that tells its format.
 bool is_special(const fs::path& path) {
   std::error_code ignored;
@@ -70,7 +80,7 @@ LoadedShot load_shot(const ShotOptions& options) {
     loaded.warnings.push_back(format_diagnostic(loaded.shot.file, warning));
 
   loaded.mesh_path = mesh_path_of(loaded.shot);
-  MeshFile file = read_mesh(loaded.mesh_path);
+  MeshFile file = read_named_mesh(loaded.shot, loaded.mesh_path);
   loaded.mesh = std::move(file.mesh);
   for (const std::string& warning : file.warnings) loaded.warnings.push_back("warning: " + warning);
   for (const std::string& line : describe(find_defects(weld(loaded.mesh).surface)))

@@ -47,7 +47,7 @@ TEST_F(Program, AMissingTimelineExitsTwoAMissingMeshThree) {
   fs::remove(folder() / "bar.obj");
   const ProgramResult no_mesh = run({"animate", "shot.yaml"});
   EXPECT_EQ(no_mesh.exit_code, 3);
-  EXPECT_THAT(no_mesh.errors, HasSubstr("cannot read 'bar.obj': No such file or directory"));
+  EXPECT_THAT(no_mesh.errors, HasSubstr("shot.yaml:1:7: cannot read 'bar.obj': No such file or directory"));
 }
 
 TEST_F(Program, ThreeMistakesAreThreeErrorsWithTheirPlaces) {
