@@ -26,8 +26,8 @@ class Binder {
   Scene bind();
 
  private:
-  void bind_region();
-  void bind_handles();
+  void bind_region(const Selector& selector);
+  void bind_handles(const Selector& selector);
   void refuse_shared_vertices();
   void refuse_handles_outside();
   void place_loose_components();
@@ -55,8 +55,9 @@ Binder::Binder(const Shot& shot, const Mesh& mesh)
 }
 
 Scene Binder::bind() {
-  bind_region();
-  bind_handles();
+  const Selector selector(scene_.weld, mesh_name_);
+  bind_region(selector);
+  bind_handles(selector);
   refuse_shared_vertices();
   refuse_handles_outside();
   if (errors_.empty()) place_loose_components();
@@ -76,10 +77,10 @@ Scene Binder::bind() {
   return std::move(scene_);
 }
 
-void Binder::bind_region() {
+void Binder::bind_region(const Selector& selector) {
   if (!shot_.roi) return;
   try {
-    const std::vector<int> region = Selector(scene_.weld, mesh_name_).select(*shot_.roi);
+    const std::vector<int> region = selector.select(*shot_.roi);
     std::fill(in_region_.begin(), in_region_.end(), false);
     for (const int v : region) in_region_[index(v)] = true;
   } catch (const SelectionError& error) {
@@ -87,8 +88,7 @@ void Binder::bind_region() {
   }
 }
 
-void Binder::bind_handles() {
-  const Selector selector(scene_.weld, mesh_name_);
+void Binder::bind_handles(const Selector& selector) {
   for (const Handle& handle : shot_.handles) try {
       SceneHandle bound;
       bound.handle = handle;

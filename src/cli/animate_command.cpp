@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
-#include <cstdio>
-
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -73,7 +71,7 @@ void print_report(const LoadedShot& loaded, const ShotOptions& options, const st
     for (const RunReport& report : reports)
       for (const WrittenFile& file : report.written)
         for (const std::string& warning : file.gltf.warnings) say(fmt::format("warning: {}\n", warning));
-    say(fmt::format("{}", report_text(loaded, reports, load_seconds)));
+    say(report_text(loaded, reports, load_seconds));
   }
   if (options.json) {
     print_result(fmt::format("{}\n", report_json(loaded, reports, load_seconds)));

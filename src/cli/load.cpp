@@ -5,7 +5,6 @@
 #include <xxhash.h>
 
 #include <cctype>
-#include <iterator>
 #include <system_error>
 
 #include "flexkey/mesh/defects.h"

@@ -70,7 +70,7 @@ int guarded(Command command) {
     say(fmt::format("flexkey: error: {}\n", error.what()));
     return unwritten;
   } catch (const std::bad_alloc&) {
-    say(fmt::format("flexkey: error: out of memory\n"));
+    say("flexkey: error: out of memory\n");
     return internal_fault;
   } catch (const std::exception& error) {
     say(fmt::format("flexkey: internal fault: {}\n", error.what()));

@@ -59,10 +59,6 @@ Selector::Selector(const Weld& weld, std::string mesh_name)
       rounding_(1e-9 * bounds_.diagonal()) {}
 
 std::vector<int> Selector::select(const Selection& selection) const {
-  return resolve(selection);
-}
-
-std::vector<int> Selector::resolve(const Selection& selection) const {
   std::vector<int> vertices =
       std::visit([&](const auto& kind) { return take(kind, selection.where); }, selection.kind);
   if (vertices.empty()) throw SelectionError(selection.where, "the selection takes no vertex");
@@ -215,7 +211,7 @@ std::vector<int> Selector::take(const SelectComponent& component, Mark where) co
 std::vector<int> Selector::take(const SelectAny& any, Mark) const {
   std::vector<int> taken;
   for (const Selection& part : any.of) {
-    const std::vector<int> more = resolve(part);
+    const std::vector<int> more = select(part);
     taken.insert(taken.end(), more.begin(), more.end());
   }
   sort_unique(taken);
@@ -225,7 +221,7 @@ std::vector<int> Selector::take(const SelectAny& any, Mark) const {
 std::vector<int> Selector::take(const SelectAll& all, Mark where) const {
   std::vector<int> count(index(surface_.vertex_count()), 0);
   for (const Selection& part : all.of)
-    for (const int v : resolve(part)) ++count[index(v)];
+    for (const int v : select(part)) ++count[index(v)];
   std::vector<int> taken;
   for (int v = 0; v < surface_.vertex_count(); ++v)
     if (count[index(v)] == static_cast<int>(all.of.size())) taken.push_back(v);
@@ -236,7 +232,7 @@ std::vector<int> Selector::take(const SelectAll& all, Mark where) const {
 std::vector<int> Selector::take(const SelectNot& none_of, Mark where) const {
   std::vector<bool> excluded(index(surface_.vertex_count()), false);
   for (const Selection& part : none_of.of)
-    for (const int v : resolve(part)) excluded[index(v)] = true;
+    for (const int v : select(part)) excluded[index(v)] = true;
   std::vector<int> taken;
   for (int v = 0; v < surface_.vertex_count(); ++v)
     if (!excluded[index(v)]) taken.push_back(v);

@@ -22,7 +22,6 @@ class Selector {
   std::vector<int> select(const Selection& selection) const;
 
  private:
-  std::vector<int> resolve(const Selection& selection) const;
   std::vector<int> take(const SelectVertices& vertices, Mark where) const;
   std::vector<int> take(const SelectGroup& group, Mark where) const;
   std::vector<int> take(const SelectMaterial& material, Mark where) const;
