@@ -47,14 +47,7 @@ Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const
     if (handle >= 0) weights(i, handle) = 1;
   }
   const HarmonicSystem system = assemble(clamped, patch, owner, handle_count);
-  const Factor factor(system.L_ff);
-  constexpr int at_once = 3;  // the factor solves three columns in one pass
-  for (int h = 0; h < handle_count; h += at_once) {
-    const int columns = std::min(at_once, handle_count - h);
-    Positions b = Positions::Zero(patch.free, 3);
-    b.leftCols(columns) = system.b.middleCols(h, columns);
-    weights.block(0, h, patch.free, columns) = factor.solve(b).leftCols(columns);
-  }
+  weights.topRows(patch.free) = Factor(system.L_ff).solve(system.b);
   return weights;
 }
 

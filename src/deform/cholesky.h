@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <optional>
+
+#include "flexkey/deform/ordering.h"
+#include "flexkey/deform/supernodes.h"
+
+namespace flexkey {
+
+/// P A P^-1 = L Lᵀ.
+struct Cholesky {
+  Permutation order;  // P
+  Supernodes L;
+};
+
+/// Factors a symmetric matrix, both triangles given, in this order of elimination but for a postorder of the
+/// elimination tree, which changes no fill and brings the columns of a subtree together. Nothing where a
+/// pivot is not positive. One of cholesky_*.cpp is built: CHOLMOD where it is installed, Eigen otherwise.
+std::optional<Cholesky> cholesky(const Eigen::SparseMatrix<double>& matrix, const Permutation& order);
+
+/// The same by Eigen's simplicial LLᵀ, which is always there.
+std::optional<Cholesky> simplicial_cholesky(const Eigen::SparseMatrix<double>& matrix,
+                                            const Permutation& order);
+
+}  // namespace flexkey

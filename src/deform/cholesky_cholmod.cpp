@@ -1,0 +1,89 @@
+#include <cholmod.h>
+
+#include <memory>
+#include <new>
+
+#include "flexkey/deform/cholesky.h"
+
+namespace flexkey {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// CHOLMOD's settings and work space.
+struct Session {
+  cholmod_common common;
+
+  Session() {
+    cholmod_start(&common);
+    common.print = 0;
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.final_ll = 1;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.postorder = 1;
+    common.quick_return_if_not_posdef = 1;
+  }
+  ~Session() { cholmod_finish(&common); }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+};
+
+struct FreeFactor {
+  cholmod_common* common;
+  void operator()(cholmod_factor* factor) const { cholmod_free_factor(&factor, common); }
+};
+using FactorPointer = std::unique_ptr<cholmod_factor, FreeFactor>;
+
+/// The upper triangle, seen as CHOLMOD sees it; CHOLMOD writes nothing in it.
+cholmod_sparse upper_triangle(const Matrix& matrix) {
+  cholmod_sparse view{};
+  view.nrow = view.ncol = static_cast<std::size_t>(matrix.cols());
+  view.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+  view.p = const_cast<int*>(matrix.outerIndexPtr());
+  view.i = const_cast<int*>(matrix.innerIndexPtr());
+  view.x = const_cast<double*>(matrix.valuePtr());
+  view.stype = 1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+Supernodes packed(const cholmod_factor& factor) {
+  const auto* columns = static_cast<const int*>(factor.super);
+  const auto* row_begins = static_cast<const int*>(factor.pi);
+  const auto* value_begins = static_cast<const int*>(factor.px);
+  const auto* rows = static_cast<const int*>(factor.s);
+  Supernodes L;
+  L.columns.assign(columns, columns + factor.nsuper + 1);
+  for (int s = 0; s < L.count(); ++s) {  // CHOLMOD lists a supernode's own columns among its rows
+    L.rows.insert(L.rows.end(), rows + row_begins[s] + L.width(s), rows + row_begins[s + 1]);
+    L.row_offsets.push_back(static_cast<std::int64_t>(L.rows.size()));
+  }
+  allocate_values(L);
+  for (int s = 0; s < L.count(); ++s) {
+    pack(L, s, static_cast<const double*>(factor.x) + value_begins[s], row_begins[s + 1] - row_begins[s]);
+  }
+  return L;
+}
+
+}  // namespace
+
+std::optional<Cholesky> cholesky(const Matrix& matrix, const Permutation& order) {
+  Session session;
+  cholmod_sparse view = upper_triangle(matrix);
+  Eigen::VectorXi eliminated = Permutation(order.inverse()).indices();
+  const FactorPointer factor(cholmod_analyze_p(&view, eliminated.data(), nullptr, 0, &session.common),
+                             FreeFactor{&session.common});
+  if (factor != nullptr) cholmod_factorize(&view, factor.get(), &session.common);
+  const int status = session.common.status;
+  if (status == CHOLMOD_OUT_OF_MEMORY || status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+  if (status != CHOLMOD_OK || factor->minor < factor->n) return std::nullopt;
+  const Eigen::Map<const Eigen::VectorXi> composed(static_cast<const int*>(factor->Perm), matrix.cols());
+  return Cholesky{Permutation(composed).inverse(), packed(*factor)};
+}
+
+}  // namespace flexkey
