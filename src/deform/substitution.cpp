@@ -32,17 +32,29 @@ Pass make_pass(const Substitution& factor, const RightHandSides& b, double* x) {
   return {factor, b, x, width, sweeps.forward[choice], sweeps.backward[choice], view_of(factor.L)};
 }
 
+/// Asks for row i of the right-hand sides, which lie in another order: each would be waited for otherwise.
+void fetch(const Pass& pass, int i) {
+  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(pass.factor.rows[i]) * pass.b.stride;
+  for (int c = 0; c < pass.b.count; c += pass.b.stride) __builtin_prefetch(pass.b.columns[c] + at);
+}
+
+constexpr int fetched_ahead = 16;  // rows
+
 void gather(const Pass& pass, int first, int end) {
-  for (int i = pass.L.columns[first]; i < pass.L.columns[end]; ++i) {
+  const int last = pass.L.columns[end] - 1;
+  for (int i = pass.L.columns[first]; i <= last; ++i) {
+    fetch(pass, std::min(i + fetched_ahead, last));
     const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(pass.factor.rows[i]) * pass.b.stride;
     double* x = pass.row(i);
     for (int c = 0; c < pass.b.count; ++c) x[c] = pass.b.columns[c][from];
-    std::fill(x + pass.b.count, x + pass.width, 0.0);
+    for (int c = pass.b.count; c < pass.width; ++c) x[c] = 0;
   }
 }
 
 void scatter(const Pass& pass, int first, int end) {
-  for (int i = pass.L.columns[first]; i < pass.L.columns[end]; ++i) {
+  const int last = pass.L.columns[end] - 1;
+  for (int i = pass.L.columns[first]; i <= last; ++i) {
+    fetch(pass, std::min(i + fetched_ahead, last));
     const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(pass.factor.rows[i]) * pass.b.stride;
     const double* x = pass.row(i);
     for (int c = 0; c < pass.b.count; ++c) pass.b.columns[c][to] = x[c];

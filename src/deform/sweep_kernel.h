@@ -29,6 +29,12 @@ inline void store(double* to, const V& from) {
   __builtin_memcpy(to, &from, sizeof(V));
 }
 
+/// Processors see by themselves that values are read upwards, but not that panels are read downwards.
+inline void fetch_before(const double* values) {
+  constexpr int ahead = 1024;  // 8 kB: what memory sends while it is waited for
+  __builtin_prefetch(values - ahead);
+}
+
 /// A panel of a supernode: `values` by columns; x of the panel's columns, of its rows, and all of x.
 struct Panel {
   const double* values;
@@ -74,6 +80,7 @@ struct BackwardBelow {
       for (int c = 0; c < panel.columns; ++c) {
         // The sum is made before x_c is needed: the panel before this one may still be writing it.
         Vector<lanes> even = {}, odd = {}, x_c;
+        fetch_before(panel.values + c * height);
         for (int r = 0; r + 1 < height; r += 2) {
           even += panel.values[c * height + r] * x_r[r];
           odd += panel.values[c * height + r + 1] * x_r[r + 1];
@@ -130,6 +137,7 @@ struct BackwardWithin {
       for (int r = 0; r < height; ++r) store(panel.x + r * width + lane, x_r[r]);
       for (int c = 0; c < panel.columns; ++c) {
         Vector<lanes> x_c;
+        fetch_before(panel.values + c * height);
         load(x_c, panel.x_columns + c * width + lane);
         for (int r = 0; r < height; ++r) x_c -= panel.values[c * height + r] * x_r[r];
         store(panel.x_columns + c * width + lane, x_c);
