@@ -59,8 +59,12 @@ Problem make_problem(const Mesh& rest, const Constraints& constraints, const Def
   const std::vector<bool> is_free = free_vertices(constraints, cells);
   require_held(rest, cells, is_free);
   const Patch patch = make_patch(cells, rest.positions, is_free, options.system);
-  Problem problem{
-      options, patch, LaplacianSystem(patch, options.system), bounds_of(rest.positions).diagonal(), {}};
+  Problem problem{options,
+                  patch,
+                  tabulate(patch),
+                  LaplacianSystem(patch, options.system),
+                  bounds_of(rest.positions).diagonal(),
+                  {}};
   if (options.predict) problem.harmonic = turn_weights(rest, cells, constraints, patch, options.weights);
   return problem;
 }
@@ -145,7 +149,7 @@ Pose Deformer::pose_at(const Positions& positions) const {
   pose.targets = positions(handles, Eigen::all);
   pose.positions(handles, Eigen::all) = pose.targets;
   Iterate at = gather(problem.patch, pose);
-  at.transforms = local_step(problem.patch, at.positions, at.transforms, problem.options);
+  local_step(problem.cells, problem.options, at.positions, at.transforms);
   scatter(problem.patch, at, pose);
   pose.converged = false;
   pose.started = true;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "flexkey/deform/anderson.h"
-#include "flexkey/deform/right_hand_side.h"
+#include "flexkey/deform/residual.h"
 #include "flexkey/deform/tail.h"
 
 namespace flexkey {
@@ -45,12 +45,13 @@ class Iteration {
   const Problem& problem_;
   const Eigen::VectorXd& lambda_;
   FixedPoint result_;
+  Residuals residuals_;
 };
 
 Positions Iteration::step() {
   SolveReport& report = result_.report;
-  const Positions r = right_hand_side(problem_.patch, result_.at.transforms, lambda_);
-  Positions step = problem_.system.step(problem_.patch, r, result_.at.positions);
+  residual(problem_.cells, result_.at.positions, result_.at.transforms, lambda_, residuals_.rows);
+  Positions step = problem_.system.step(problem_.cells, residuals_);
   ++report.solves;
   report.step = step.rowwise().norm().maxCoeff() / problem_.diagonal;
   report.estimate = unknown;
@@ -63,7 +64,7 @@ Positions Iteration::step() {
 void Iteration::move(const Positions& free_positions) {
   Iterate& at = result_.at;
   at.positions.topRows(problem_.patch.free) = free_positions;
-  at.transforms = local_step(problem_.patch, at.positions, at.transforms, problem_.options);
+  local_step(problem_.cells, problem_.options, at.positions, at.transforms);
 }
 
 bool Iteration::settles(double estimate) {

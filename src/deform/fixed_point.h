@@ -1,5 +1,6 @@
 #pragma once
 
+#include "flexkey/deform/cell_tables.h"
 #include "flexkey/deform/deformer.h"
 #include "flexkey/deform/local_step.h"
 #include "flexkey/deform/system.h"
@@ -10,6 +11,7 @@ namespace flexkey {
 struct Problem {
   DeformOptions options;
   Patch patch;
+  CellTables cells;
   LaplacianSystem system;
   double diagonal = 0;       // of the rest mesh's bounding box
   Eigen::MatrixXd harmonic;  // #fitted x #handles, see harmonic_weights; empty without prediction

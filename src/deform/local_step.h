@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "flexkey/deform/cell_tables.h"
 #include "flexkey/deform/options.h"
-#include "flexkey/deform/patch.h"
 
 namespace flexkey {
 
@@ -14,15 +14,10 @@ struct Transforms {
   Positions scales;                        // #fitted x 3, the diagonal of S_i in world axes
 };
 
-/// S_i for a cell with A = Σ ω e′ eᵀ, C = Σ ω e eᵀ and R = R_i. `axis` is eq 8's minimum, each s_k drawn by
-/// epsilon towards the one number that fits best, `uniform` is that number, `none` is 1. A number that the
-/// cell does not determine (its denominator under 1e-12 of Σ ω |e|²) is 1.
-Vec3 best_scale(const Eigen::Matrix3d& A, const Eigen::Matrix3d& C, const Eigen::Matrix3d& R,
-                const DeformOptions& options);
-
 /// The local step: R_i and S_i of every fitted cell at these positions.
-/// positions: #patch x 3. previous: where R_i is not unique it is the one nearest the previous.
-Transforms local_step(const Patch& patch, const Positions& positions, const Transforms& previous,
-                      const DeformOptions& options);
+/// positions: #patch x 3. transforms: the previous ones, replaced by the new; where R_i is not unique it is
+/// the one nearest the previous.
+void local_step(const CellTables& cells, const DeformOptions& options, const Positions& positions,
+                Transforms& transforms);
 
 }  // namespace flexkey

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "flexkey/deform/residual.h"
+
 namespace flexkey {
 namespace {
 
@@ -30,24 +32,16 @@ Matrix system_matrix(const Patch& patch, System system) {
 
 }  // namespace
 
-Positions laplacian(const Cells& cells, int rows, const Positions& x) {
-  Positions result = Positions::Zero(rows, 3);
-  for (int i = 0; i < rows; ++i) {
-    for (const auto [j, weight] : cells.of(i)) result.row(i) += weight * (x.row(i) - x.row(j));
-  }
-  return result;
-}
-
 LaplacianSystem::LaplacianSystem(const Patch& patch, System system)
     : system_(system), factor_(system_matrix(patch, system)) {}
 
-Positions LaplacianSystem::step(const Patch& patch, const Positions& r, const Positions& p) const {
+Positions LaplacianSystem::step(const CellTables& cells, Residuals& residuals) const {
   // Solving for the step instead of p′ has the same minimiser, and what the last step lost to rounding the
   // next one makes good.
-  const Positions residual = r - laplacian(patch.cells, patch.rows, p);
-  if (system_ == System::direct) return factor_.solve(residual);
+  if (system_ == System::direct) return factor_.solve(residuals.rows);
   // L is symmetric and every neighbour of F is a row, so L_fᵀ is L itself on the rows of F.
-  return factor_.solve(laplacian(patch.cells, patch.free, residual));
+  free_laplacian(cells, residuals.rows, residuals.normal);
+  return factor_.solve(residuals.normal);
 }
 
 }  // namespace flexkey

@@ -2,14 +2,18 @@
 
 #include <Eigen/SparseCore>
 
+#include "flexkey/deform/cell_tables.h"
 #include "flexkey/deform/factor.h"
 #include "flexkey/deform/options.h"
 #include "flexkey/deform/patch.h"
 
 namespace flexkey {
 
-/// L x on the first `rows` vertices, rows x 3: (L x)_i = Σ_j ω_ij (x_i − x_j).
-Positions laplacian(const Cells& cells, int rows, const Positions& x);
+/// What a global step starts from. The caller keeps it, so that steps need not allocate.
+struct Residuals {
+  Positions rows;    // rows x 3, r − L p
+  Positions normal;  // free x 3, L_fᵀ (r − L p); scratch of `least-squares`
+};
 
 /// The global step: the p′ that meets the fixed vertices exactly and solves the rest of eq 7 (least squares
 /// over all rows) or of eq 5 (`direct`: the rows of F, L_ff p′_f = r_f − L_fc c). Factored once.
@@ -18,9 +22,9 @@ class LaplacianSystem {
   /// Throws DeformError if the factorization fails.
   LaplacianSystem(const Patch& patch, System system);
 
-  /// The step from p to p′ of the vertices of F, free x 3.
-  /// r: rows x 3, the right-hand side of eq 4. p: #patch x 3, the fixed vertices already where they go.
-  Positions step(const Patch& patch, const Positions& r, const Positions& p) const;
+  /// The step from p to p′ of the vertices of F, free x 3, where residuals.rows is r − L p with the fixed
+  /// vertices already where they go.
+  Positions step(const CellTables& cells, Residuals& residuals) const;
 
  private:
   System system_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "deform/plain_steps.h"
 #include "support/meshes.h"
 
 namespace flexkey {
@@ -20,7 +21,9 @@ Transforms unturned(const Patch& patch) {
 }
 
 Transforms fit(const Patch& patch, const Positions& positions, const DeformOptions& options) {
-  return local_step(patch, positions, unturned(patch), options);
+  Transforms transforms = unturned(patch);
+  local_step(tabulate(patch), options, positions, transforms);
+  return transforms;
 }
 
 const std::vector<LocalScale> scale_kinds{LocalScale::axis, LocalScale::uniform, LocalScale::none};
@@ -65,6 +68,8 @@ TEST(LocalStep, AxisWithoutEpsilonFindsAWorldAxisStretch) {
   }
 }
 
+using plain::best_scale;
+
 TEST(BestScale, IsTheClosedFormOfItsKind) {
   Eigen::Matrix3d A, C;
   A << 2, 1, 0, 0.5, 3, 1, 0, 0.2, 1;
@@ -106,7 +111,8 @@ TEST(LocalStep, ACollapsedCellKeepsItsRotation) {
   Transforms before = unturned(patch);
   for (Eigen::Matrix3d& R : before.rotations) R = meshes::turn(33, {0, 1, 1});
   const Positions point = Positions::Constant(patch.vertex_count(), 3, 0.7);
-  const Transforms after = local_step(patch, point, before, {});
+  Transforms after = before;
+  local_step(tabulate(patch), {}, point, after);
   for (const Eigen::Matrix3d& R : after.rotations) EXPECT_EQ(R, before.rotations[0]);
   EXPECT_TRUE(after.scales.allFinite());
 }

@@ -4,7 +4,8 @@
 #include <numeric>
 
 #include "deform/dense_paper.h"
-#include "flexkey/deform/right_hand_side.h"
+#include "deform/plain_steps.h"
+#include "flexkey/deform/residual.h"
 #include "support/meshes.h"
 
 namespace flexkey {
@@ -86,16 +87,25 @@ Fitted fitted(const Example& example, const DeformOptions& options) {
   for (const int v : example.held) is_free[v] = false;
   const Cells cells = build_cells(example.rest, options.weights);
   const Patch patch = make_patch(cells, example.rest.positions, is_free, options.system);
-  const Transforms start{std::vector<Eigen::Matrix3d>(patch.fitted, Eigen::Matrix3d::Identity()),
-                         Positions::Ones(patch.fitted, 3)};
-  return {patch, local_step(patch, example.deformed(patch.vertices, Eigen::all), start, options)};
+  Transforms transforms{std::vector<Eigen::Matrix3d>(patch.fitted, Eigen::Matrix3d::Identity()),
+                        Positions::Ones(patch.fitted, 3)};
+  local_step(tabulate(patch), options, example.deformed(patch.vertices, Eigen::all), transforms);
+  return {patch, transforms};
+}
+
+/// r of eq 4: the residual of all positions at the origin.
+Positions right_hand_side(const Fitted& at, const Eigen::VectorXd& lambda) {
+  Positions r;
+  residual(tabulate(at.patch), Positions::Zero(at.patch.vertex_count(), 3), at.transforms, lambda, r);
+  return r;
 }
 
 TEST(Paper, RightHandSideIsEquation4) {
   for (const Example& example : examples()) {
     const DeformOptions options;
-    const auto [patch, transforms] = fitted(example, options);
-    const Positions r = right_hand_side(patch, transforms, example.lambda(patch.vertices));
+    const Fitted at = fitted(example, options);
+    const Patch& patch = at.patch;
+    const Positions r = right_hand_side(at, example.lambda(patch.vertices));
     const Eigen::MatrixXd W = dense::weights(example.rest, options.weights);
     const Positions expected =
         dense::right_hand_side(W, example.rest.positions, example.deformed, example.lambda, options);
@@ -107,8 +117,9 @@ TEST(Paper, RightHandSideIsEquation4) {
 
 TEST(Paper, LaplacianEditingWithoutScaleTurnsTheDifferentialCoordinates) {
   const Example example = bent_bar(meshes::bar(5, 2, 1));
-  const auto [patch, transforms] = fitted(example, {.local_scale = LocalScale::none});
-  const Positions r = right_hand_side(patch, transforms, Eigen::VectorXd::Zero(patch.vertex_count()));
+  const Fitted at = fitted(example, {.local_scale = LocalScale::none});
+  const auto& [patch, transforms] = at;
+  const Positions r = right_hand_side(at, Eigen::VectorXd::Zero(patch.vertex_count()));
   const Eigen::MatrixXd L = dense::laplacian(dense::weights(example.rest, Weights::clamped));
   const Positions delta = L * example.rest.positions;
   for (int i = 0; i < patch.rows; ++i) {
