@@ -1,7 +1,6 @@
 #pragma once
 
-#include <deque>
-
+#include "flexkey/deform/history.h"
 #include "flexkey/mesh/types.h"
 
 namespace flexkey {
@@ -11,23 +10,19 @@ namespace flexkey {
 class Anderson {
  public:
   /// window: how many differences of iterates are kept.
-  explicit Anderson(int window) : window_(window) {}
+  explicit Anderson(int window) : history_(window) {}
 
-  /// From x and its residual f, both n x 3, the next x. The first call gives the plain step x + f. Where a
-  /// residual grew past what a mixture may cost, the window is dropped and the plain step taken.
-  Positions next(const Positions& x, const Positions& f);
+  /// From x and its residual f, both n x 3, the next x, which is valid until the next call. The first call
+  /// gives the plain step x + f. Where a residual grew past what a mixture may cost, the window is dropped
+  /// and the plain step taken.
+  const Positions& next(const Positions& x, const Positions& f);
 
   /// Largest ‖Δx‖/‖Δf‖ of the window: how much farther the fixed point may be than the residual says.
   /// 0 before the second call.
   double stretch() const { return stretch_; }
 
  private:
-  void remember(const Positions& x, const Positions& f);
-  Positions mixture(const Positions& x, const Positions& f) const;
-
-  int window_;
-  Positions x_, f_;                // of the last call; empty before the first
-  std::deque<Positions> dx_, df_;  // differences, the oldest first
+  History history_;
   double stretch_ = 0;
 };
 

@@ -1,6 +1,10 @@
 #include "flexkey/deform/anderson.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <Eigen/Dense>
+#include <vector>
 
 namespace flexkey {
 namespace {
@@ -19,7 +23,8 @@ struct Contraction {
 
 TEST(Anderson, TheFirstStepIsThePlainOne) {
   const Positions x = Positions::Random(4, 3), f = Positions::Random(4, 3);
-  EXPECT_EQ(Anderson(5).next(x, f), Positions(x + f));
+  Anderson anderson(5);
+  EXPECT_EQ(anderson.next(x, f), Positions(x + f));
 }
 
 TEST(Anderson, NeedsFarFewerStepsThanThePlainIteration) {
@@ -44,6 +49,71 @@ TEST(Anderson, TheStretchTellsHowFarTheFixedPointIs) {
   EXPECT_GT(anderson.stretch(), 1);
   EXPECT_LT(anderson.stretch(), 51);  // 1 / (1 - 0.98): no difference can promise more
   EXPECT_LT(left, 10 * anderson.stretch() * residual);
+}
+
+/// Iterates and residuals of a slow contraction on n points, as the first few calls meet them.
+struct Walk {
+  std::vector<Positions> x, f;
+};
+Walk walk(int n, int steps) {
+  const Eigen::VectorXd rates = Eigen::VectorXd::LinSpaced(3 * n, 0.2, 0.95);
+  Walk path{{Positions::Random(n, 3)}, {}};
+  for (int k = 0; k < steps; ++k) {
+    Positions f = -path.x.back();
+    for (Eigen::Index i = 0; i < f.size(); ++i) f.data()[i] *= 1 - rates[i];
+    path.x.push_back(path.x.back() + f + 0.01 * Positions::Random(n, 3));
+    path.f.push_back(f);
+  }
+  return path;
+}
+
+/// x + f less the ΔG that cancel f best, by a dense QR of the last `window` differences.
+Positions mixture(const Walk& path, int window) {
+  const auto last = static_cast<int>(path.f.size()) - 1;
+  Eigen::MatrixXd F(path.f[0].size(), window);
+  const auto flat = [](const Positions& p) { return Eigen::VectorXd(p.reshaped<Eigen::RowMajor>()); };
+  for (int k = 0; k < window; ++k) F.col(k) = flat(path.f[last - k] - path.f[last - k - 1]);
+  const Eigen::VectorXd gamma = F.colPivHouseholderQr().solve(flat(path.f[last]));
+  Positions mixed = path.x[last] + path.f[last];
+  for (int k = 0; k < window; ++k) {
+    const int a = last - k;
+    mixed -= gamma[k] * (path.x[a] + path.f[a] - path.x[a - 1] - path.f[a - 1]);
+  }
+  return mixed;
+}
+
+TEST(Anderson, MixesAsTheLeastSquaresSolutionSays) {
+  for (const int n : {4, 171, 1000}) {
+    for (const int steps : {2, 4, 9}) {
+      const Walk path = walk(n, steps);
+      Anderson anderson(5);
+      Positions mixed;
+      for (int k = 0; k < steps; ++k) mixed = anderson.next(path.x[k], path.f[k]);
+      EXPECT_LT((mixed - mixture(path, std::min(5, steps - 1))).norm(), 1e-10 * mixed.norm())
+          << n << " " << steps;
+    }
+  }
+}
+
+TEST(Anderson, ADifferenceWithinTheNewerOnesChangesNothing) {
+  const Walk path = walk(20, 2);
+  const Positions along = path.f[1] - path.f[0], step = path.x[1] - path.x[0];
+  Anderson three(3), one(1);
+  Positions mixed, expected;
+  for (int k = 0; k < 4; ++k) mixed = three.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along);
+  for (int k = 2; k < 4; ++k) expected = one.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along);
+  EXPECT_LT((mixed - expected).norm(), 1e-9 * expected.norm());
+}
+
+TEST(Anderson, GivesTheSameBytesOnAnyNumberOfThreads) {
+  const Walk path = walk(20000, 7);
+  std::vector<Positions> mixed;
+  for (const std::size_t threads : {1, 2, 5}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    Anderson anderson(5);
+    for (int k = 0; k < 7; ++k) mixed.push_back(anderson.next(path.x[k], path.f[k]));
+  }
+  for (std::size_t k = 7; k < mixed.size(); ++k) EXPECT_EQ(mixed[k], mixed[k % 7]);
 }
 
 TEST(Anderson, TakesThePlainStepWhereAMixtureMadeItWorse) {

@@ -2,6 +2,8 @@
 #include <tbb/global_control.h>
 
 #include <Eigen/SVD>
+#include <cmath>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -40,10 +42,10 @@ std::vector<Mesh> rest_shapes() {
           meshes::bumpy(meshes::triangulated(meshes::bar(5, 2, 1)), 0.2)};
 }
 
-Patch patch_of(const Mesh& mesh, System system = System::least_squares) {
+Patch patch_of(const Mesh& mesh, System system = System::least_squares, Weights weights = Weights::clamped) {
   std::vector<bool> is_free(mesh.vertex_count(), true);
   is_free[0] = false;
-  return make_patch(build_cells(mesh, Weights::clamped), mesh.positions, is_free, system);
+  return make_patch(build_cells(mesh, weights), mesh.positions, is_free, system);
 }
 
 Positions noise(Eigen::Index rows, std::mt19937& random) {
@@ -133,6 +135,129 @@ TEST(Kernels, TheLocalStepIsThePlainOneOnEveryKindOfCell) {
         expect_same_fit(patch, shape, turned(patch.fitted, {other, one, random_rotation(random)}), options);
       }
     }
+  }
+}
+
+TEST(Kernels, AxisWithoutEpsilonIsThePaperFormOnSolidCells) {
+  std::mt19937 random(2);
+  const Patch patch = patch_of(meshes::bumpy(meshes::sphere(2), 0.1));
+  const Shape shape{"stretched", patch.rest * Vec3(2, 1, 0.5).asDiagonal()};
+  expect_same_fit(patch, shape, turned(patch.fitted, {random_rotation(random)}),
+                  {.local_scale = LocalScale::axis, .epsilon = 0});
+}
+
+TEST(Kernels, ACellThatIsNotFiniteKeepsItsRotationAndSpoilsNoOther) {
+  const Patch patch = patch_of(meshes::bumpy(meshes::sphere(2), 0.1));
+  const CellTables cells = tabulate(patch);
+  const Eigen::Matrix3d before = meshes::turn(20, {1, 1, 0});
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    Positions positions = meshes::moved(patch.rest, meshes::turn(50, {0, 1, 3}), {1, 2, 3});
+    Transforms sound = turned(patch.fitted, {before}), spoilt = sound;
+    local_step(cells, {}, positions, sound);
+    positions(7, 1) = bad;
+    local_step(cells, {}, positions, spoilt);
+    for (int i = 0; i < patch.fitted; ++i) {
+      bool is_touched = i == 7;
+      for (const auto [j, weight] : patch.cells.of(i)) is_touched = is_touched || j == 7;
+      EXPECT_EQ(spoilt.rotations[i], is_touched ? before : sound.rotations[i]);
+    }
+  }
+}
+
+TEST(Kernels, ManyFitsInARowStayRotations) {
+  const Patch patch = patch_of(meshes::bumpy(meshes::sphere(1), 0.1));
+  const CellTables cells = tabulate(patch);
+  Transforms transforms = turned(patch.fitted, {Eigen::Matrix3d::Identity()});
+  for (int k = 0; k < 20000; ++k) {
+    local_step(cells, {}, meshes::moved(patch.rest, meshes::turn(3.0 * k, {1, 2, 3}), {0, 0, 0}), transforms);
+  }
+  for (const Eigen::Matrix3d& R : transforms.rotations) {
+    EXPECT_LT((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+  }
+}
+
+TEST(Kernels, ACellsPlaceAmongTheOthersDoesNotMatter) {
+  std::mt19937 random(3);
+  const Mesh mesh = meshes::bumpy(meshes::sphere(2), 0.1);
+  const Positions shaken = mesh.positions + 0.02 * noise(mesh.vertex_count(), random);
+  Mesh all = mesh;
+  std::vector<Transforms> fits;
+  for (int k = 0; k < 9; ++k) {
+    all = meshes::joined(k % 2 == 0 ? meshes::grid(2, 2) : meshes::tetrahedron(), all);
+    // Others' weights would shift the floor of clamped ones.
+    const Patch patch = patch_of(all, System::least_squares, Weights::uniform);
+    Positions positions = all.positions;
+    positions.bottomRows(mesh.vertex_count()) = shaken;
+    Transforms fit = turned(patch.fitted, {Eigen::Matrix3d::Identity()});
+    local_step(tabulate(patch), {}, positions(patch.vertices, Eigen::all), fit);
+    // The mesh's cells come last, but for the held vertex, one of the others'.
+    const auto end = fit.rotations.end() - 1, begin = end - mesh.vertex_count();
+    fits.push_back(
+        {{begin, end}, fit.scales.bottomRows(mesh.vertex_count() + 1).topRows(mesh.vertex_count())});
+  }
+  for (const Transforms& fit : fits) {
+    EXPECT_EQ(fit.rotations, fits[0].rotations);
+    EXPECT_EQ(fit.scales, fits[0].scales);
+  }
+}
+
+Eigen::VectorXd lambdas(const Patch& patch) {
+  return Eigen::VectorXd::LinSpaced(patch.vertex_count(), 0, 1);
+}
+
+Transforms random_transforms(int count, std::mt19937& random) {
+  Transforms transforms{{}, noise(count, random)};
+  for (int i = 0; i < count; ++i) transforms.rotations.push_back(random_rotation(random));
+  return transforms;
+}
+
+TEST(Kernels, TheResidualIsThePlainRightHandSideLessTheLaplacian) {
+  std::mt19937 random(4);
+  for (const Mesh& mesh : rest_shapes()) {
+    for (const System system : {System::least_squares, System::direct}) {
+      const Patch patch = patch_of(mesh, system);
+      const Positions p = patch.rest + noise(patch.vertex_count(), random);
+      const Transforms transforms = random_transforms(patch.fitted, random);
+      const Positions expected = plain::right_hand_side(patch, transforms, lambdas(patch)) -
+                                 plain::laplacian(patch.cells, patch.rows, p);
+      Positions found;
+      residual(tabulate(patch), p, transforms, lambdas(patch), found);
+      ASSERT_EQ(found.rows(), patch.rows);
+      EXPECT_LT((found - expected).norm(), 1e-14 * expected.norm());
+    }
+  }
+}
+
+TEST(Kernels, TheFreeLaplacianIsThePlainOne) {
+  std::mt19937 random(5);
+  for (const Mesh& mesh : rest_shapes()) {
+    const Patch patch = patch_of(mesh);
+    const Positions x = noise(patch.rows, random);
+    const Positions expected = plain::laplacian(patch.cells, patch.free, x);
+    Positions found;
+    free_laplacian(tabulate(patch), x, found);
+    ASSERT_EQ(found.rows(), patch.free);
+    EXPECT_LT((found - expected).norm(), 1e-14 * expected.norm());
+  }
+}
+
+TEST(Kernels, GiveTheSameBytesOnAnyNumberOfThreads) {
+  std::mt19937 random(6);
+  const Patch patch = patch_of(meshes::bumpy(meshes::sphere(5), 0.1));
+  const CellTables cells = tabulate(patch);
+  const Positions p = patch.rest + 0.02 * noise(patch.vertex_count(), random);
+  std::vector<Transforms> fits;
+  std::vector<Positions> residuals;
+  for (const std::size_t threads : {1, 2, 5}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    fits.push_back(turned(patch.fitted, {Eigen::Matrix3d::Identity()}));
+    local_step(cells, {.local_scale = LocalScale::axis}, p, fits.back());
+    residual(cells, p, fits.back(), lambdas(patch), residuals.emplace_back());
+  }
+  for (std::size_t k = 1; k < fits.size(); ++k) {
+    EXPECT_EQ(fits[k].rotations, fits[0].rotations);
+    EXPECT_EQ(fits[k].scales, fits[0].scales);
+    EXPECT_EQ(residuals[k], residuals[0]);
   }
 }
 
