@@ -5,15 +5,21 @@
 namespace flexkey {
 namespace {
 
-void add(const Vec3& e, double weight, RestMoments& sums) {
+RestMoments zeros(int fitted) {
+  const std::vector<double> zero((static_cast<std::size_t>(fitted) + 7) / 8 * 8);
+  return {zero, zero, zero, zero, zero, zero, zero, zero};
+}
+
+void add(const Vec3& e, double weight, RestMoments& sums, int i) {
   const Vec3 we = weight * e;
-  sums.xx += we.x() * e.x();
-  sums.yy += we.y() * e.y();
-  sums.zz += we.z() * e.z();
-  sums.xy += we.x() * e.y();
-  sums.yz += we.y() * e.z();
-  sums.zx += we.z() * e.x();
-  sums.size += std::abs(weight) * e.squaredNorm();
+  sums.trace[i] += we.dot(e);
+  sums.size[i] += std::abs(weight) * e.squaredNorm();
+  sums.xx[i] += we.x() * e.x();
+  sums.yy[i] += we.y() * e.y();
+  sums.zz[i] += we.z() * e.z();
+  sums.xy[i] += we.x() * e.y();
+  sums.yz[i] += we.y() * e.z();
+  sums.zx[i] += we.z() * e.x();
 }
 
 }  // namespace
@@ -23,16 +29,17 @@ CellTables tabulate(const Patch& patch) {
   CellTables tables;
   tables.free = patch.free;
   tables.rows = patch.rows;
+  tables.fitted = patch.fitted;
   tables.offsets = patch.cells.offsets;
   tables.edges.resize(edge_count, 3);
-  tables.moments.resize(patch.fitted);
+  tables.moments = zeros(patch.fitted);
   for (int i = 0; i < patch.fitted; ++i) {
     for (const auto [j, weight] : patch.cells.of(i)) {
       const Vec3 e = patch.rest.row(i) - patch.rest.row(j);
       tables.edges.row(static_cast<Eigen::Index>(tables.weights.size())) = weight * e;
       tables.neighbours.push_back(j);
       tables.weights.push_back(weight);
-      add(e, weight, tables.moments[i]);
+      add(e, weight, tables.moments, i);
     }
   }
   return tables;

@@ -11,7 +11,7 @@
 namespace flexkey {
 namespace {
 
-constexpr int lanes = 8;           // numbers that are summed side by side
+constexpr int lanes = 4;           // numbers that are summed side by side
 constexpr int chunk = 64 * lanes;  // numbers at a time: what a window has of them fits the nearest cache
 
 using Eight = double __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
