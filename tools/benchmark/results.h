@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limit.h"
+#include "peers.h"
+#include "study.h"
+#include "table.h"
+
+namespace flexkey::bench {
+
+/// Wall-clock seconds of one iteration.
+struct ThreadTimes {
+  int vertices = 0;
+  std::vector<double> one = {}, two = {};  // an entry a repetition
+};
+
+/// All that a run has measured; what it was not asked for is empty.
+struct Results {
+  std::vector<PeerResult> peers;
+  std::optional<ThreadTimes> threads;
+  std::optional<Limit> limit;
+  std::optional<Study> study;
+};
+
+Table peer_table(const std::vector<PeerResult>& peers);
+Table thread_table(const ThreadTimes& threads);
+Table limit_table(const Limit& limit);
+/// Solves a frame by start, of the bar's five scenes together and of the blob.
+Table start_table(const Study& study);
+/// Solves a frame by scene with the default start.
+Table scene_table(const Study& study);
+Table shot_table(const Study& study);
+Table honesty_table(const Study& study);
+
+/// What flexkey has set itself to reach, beside what was measured.
+Table bar_table(const Results& results);
+
+std::vector<Table> all_tables(const Results& results);
+
+}  // namespace flexkey::bench
