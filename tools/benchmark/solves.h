@@ -51,7 +51,8 @@ struct Honesty {
   Honesty& operator+=(const Honesty& other);
 };
 
-/// Of at most a dozen frames of the motion, evenly spread, with the default start.
+/// Of at most a dozen frames of the motion, evenly spread, with the default start. They are carried on with
+/// Anderson acceleration: plain iteration goes to the same points, but for thousands of solves.
 Honesty check_honesty(const Motion& motion, const Setting& setting);
 
 }  // namespace flexkey::bench

@@ -14,12 +14,12 @@ std::vector<std::filesystem::path> sample_shots(const std::filesystem::path& tim
 /// A motion with what is asked of it.
 struct Task {
   const Motion& motion;
-  bool is_bar = false;
+  std::string mesh;
   bool every_start = false;
 };
 
 Case run_case(const Task& task, const Setting& setting) {
-  Case result{.scene = task.motion.name, .setting = setting, .is_bar = task.is_bar};
+  Case result{.scene = task.motion.name, .mesh = task.mesh, .setting = setting};
   result.predicted = count_solves(task.motion, setting, Start::predicted);
   if (task.every_start) {
     for (const Start start : {Start::cold, Start::warm, Start::accelerated})
@@ -43,9 +43,9 @@ Study study_solves(const std::filesystem::path& timelines, Scenes scenes) {
     }
   }
   std::vector<Task> tasks;
-  for (const Motion& shot : shots) tasks.push_back({shot});
-  tasks.push_back({.motion = blob, .every_start = true});
-  for (const Motion& bar : bars) tasks.push_back({.motion = bar, .is_bar = true, .every_start = true});
+  for (const Motion& shot : shots) tasks.push_back({shot, shot.name});
+  tasks.push_back({blob, blob.name, true});
+  for (const Motion& bar : bars) tasks.push_back({bar, "bar", true});
 
   const std::vector<Setting> settings = all_settings();
   study.cases.resize(tasks.size() * settings.size());

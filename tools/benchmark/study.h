@@ -14,8 +14,8 @@ enum class Scenes { bars_and_blob, all };
 /// One scene solved in one way.
 struct Case {
   std::string scene;
+  std::string mesh;  // "bar" for the five of the 4:1 bar, else the scene
   Setting setting;
-  bool is_bar = false;
   Tally predicted = {};            // the default start
   std::vector<Tally> starts = {};  // cold, warm, accelerated; only of the bar and the blob
   Honesty honesty = {};
