@@ -52,13 +52,18 @@ Eigen::VectorXd best_mixture(const History& history) {
 
 }  // namespace
 
-const Positions& Anderson::next(const Positions& x, const Positions& f) {
-  const double before = history_.residual();
+const Mixture& Anderson::next(const Positions& x, const Positions& f) {
   history_.add(x, f);
   stretch_ = longest_stretch(history_);
-  if (history_.residual() > tolerated_growth * before) history_.forget();
+  if (before_ > 0 && history_.residual() > tolerated_growth * before_) history_.forget();
+  before_ = history_.residual();
   const Eigen::VectorXd gamma = best_mixture(history_);
   return history_.mix(gamma.allFinite() ? gamma : Eigen::VectorXd());
+}
+
+void Anderson::turn_to_next_map() {
+  history_.part();
+  before_ = 0;
 }
 
 }  // namespace flexkey

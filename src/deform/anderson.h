@@ -10,20 +10,27 @@ namespace flexkey {
 class Anderson {
  public:
   /// window: how many differences of iterates are kept.
-  explicit Anderson(int window) : history_(window) {}
+  explicit Anderson(int window = 5) : history_(window) {}
 
-  /// From x and its residual f, both n x 3, the next x, which is valid until the next call. The first call
-  /// gives the plain step x + f. Where a residual grew past what a mixture may cost, the window is dropped
-  /// and the plain step taken.
-  const Positions& next(const Positions& x, const Positions& f);
+  /// From x and its residual f, both n x 3, the next x, which is valid until the next call. With an empty
+  /// window it is the plain step x + f. Where a residual grew past what a mixture may cost, the window is
+  /// dropped and the plain step taken.
+  const Mixture& next(const Positions& x, const Positions& f);
+
+  /// Another map comes, near the last, such as the next frame's: its slow directions are nearly the same, so
+  /// the window is kept.
+  void turn_to_next_map();
+
+  int differences() const { return history_.differences(); }
 
   /// Largest ‖Δx‖/‖Δf‖ of the window: how much farther the fixed point may be than the residual says.
-  /// 0 before the second call.
+  /// 0 while the window is empty.
   double stretch() const { return stretch_; }
 
  private:
   History history_;
   double stretch_ = 0;
+  double before_ = 0;  // ‖f‖ at the last call for this map; 0: there was none
 };
 
 }  // namespace flexkey

@@ -156,4 +156,9 @@ void require_pose(const Pose& pose, Eigen::Index vertex_count) {
     throw DeformError(fmt::format("the pose is not one of this mesh's {} vertices", vertex_count));
 }
 
+void require_batch(std::size_t frame_count, std::size_t pose_count) {
+  if (frame_count != pose_count)
+    throw DeformError(fmt::format("{} frames need as many poses, not {}", frame_count, pose_count));
+}
+
 }  // namespace flexkey

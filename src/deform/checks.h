@@ -22,6 +22,7 @@ void require_targets(const Positions& targets, std::size_t handle_count);
 void require_turns(const Positions& turns, Eigen::Index handle_count, bool predicts);
 void require_lambda(const Eigen::VectorXd& lambda, Eigen::Index vertex_count);
 void require_positions(const Positions& positions, Eigen::Index vertex_count);
+void require_batch(std::size_t frame_count, std::size_t pose_count);
 void require_pose(const Pose& pose, Eigen::Index vertex_count);
 
 }  // namespace flexkey

@@ -1,11 +1,10 @@
 #include "flexkey/deform/deformer.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "flexkey/deform/checks.h"
-#include "flexkey/deform/fixed_point.h"
+#include "flexkey/deform/frame.h"
 #include "flexkey/deform/prediction.h"
 
 namespace flexkey {
@@ -69,42 +68,6 @@ Problem make_problem(const Mesh& rest, const Constraints& constraints, const Def
   return problem;
 }
 
-/// The two ways in which a frame's rotations are guessed before its first solve.
-struct Guesses {
-  Transforms turned;     // by the handles' turns, spread over the surface
-  Transforms continued;  // each by its own last change
-};
-
-Guesses guess(const Problem& problem, const Transforms& last, const Pose& pose, const Positions& turns) {
-  Guesses guesses{turns.rows() > 0 ? turned(last, problem.harmonic, turns) : last, last};
-  if (pose.earlier.empty()) {
-    guesses.continued = guesses.turned;
-  } else {
-    std::vector<Eigen::Matrix3d> earlier;
-    for (int i = 0; i < problem.patch.fitted; ++i) earlier.push_back(pose.earlier[problem.patch.vertices[i]]);
-    guesses.continued = continued(last, earlier);
-  }
-  return guesses;
-}
-
-Iterate gather(const Patch& patch, const Pose& pose) {
-  Iterate at{pose.positions(patch.vertices, Eigen::all), {}, pose.stretch};
-  at.transforms.scales.resize(patch.fitted, 3);
-  for (int i = 0; i < patch.fitted; ++i) {
-    at.transforms.rotations.push_back(pose.rotations[patch.vertices[i]]);
-    at.transforms.scales.row(i) = pose.scales.row(patch.vertices[i]);
-  }
-  return at;
-}
-
-void scatter(const Patch& patch, const Iterate& at, Pose& pose) {
-  for (int i = 0; i < patch.free; ++i) pose.positions.row(patch.vertices[i]) = at.positions.row(i);
-  for (int i = 0; i < patch.fitted; ++i) {
-    pose.rotations[patch.vertices[i]] = at.transforms.rotations[i];
-    pose.scales.row(patch.vertices[i]) = at.transforms.scales.row(i);
-  }
-}
-
 }  // namespace
 
 struct Deformer::State {
@@ -161,45 +124,43 @@ SolveReport Deformer::solve(const Targets& targets, double lambda, Pose& pose) c
 }
 
 SolveReport Deformer::solve(const Targets& targets, const Eigen::VectorXd& lambda, Pose& pose) const {
+  const Frame frame{targets, lambda};
+  return solve({&frame, 1}, {&pose, 1}).front();
+}
+
+std::vector<SolveReport> Deformer::solve(std::span<const Frame> frames, std::span<Pose> poses) const {
   const auto& [rest, handles, handle_places, problem] = *state_;
-  const DeformOptions& options = problem.options;
-  const Patch& patch = problem.patch;
-  require_targets(targets.positions, handles.size());
-  require_turns(targets.turns, problem.harmonic.cols(), options.predict);
-  require_lambda(lambda, rest.rows());
-  require_pose(pose, rest.rows());
-  if (answers(pose, targets.positions, lambda)) {
-    pose.started = true;
-    pose.earlier = pose.rotations;
-    return {.converged = !options.fixed_count};
+  require_batch(frames.size(), poses.size());
+  std::vector<SolveReport> reports(frames.size());
+  std::vector<std::size_t> places;  // of those to solve
+  std::vector<Prediction> predictions;
+  std::vector<Iterate> starts;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const auto& [targets, lambda] = frames[k];
+    require_targets(targets.positions, handles.size());
+    require_turns(targets.turns, problem.harmonic.cols(), problem.options.predict);
+    require_lambda(lambda, rest.rows());
+    require_pose(poses[k], rest.rows());
+    if (answers(poses[k], targets.positions, lambda)) continue;
+    places.push_back(k);
+    predictions.push_back(predict(problem, poses[k], targets));
+    starts.push_back(start(problem, poses[k], predictions.back()));
+    starts.back().lambda = lambda(problem.patch.vertices);
+    for (std::size_t h = 0; h < handles.size(); ++h)
+      if (handle_places[h] >= 0) starts.back().positions.row(handle_places[h]) = targets.positions.row(h);
   }
-  Iterate from = gather(patch, pose);
-  for (std::size_t h = 0; h < handles.size(); ++h) {
-    if (handle_places[h] >= 0) from.positions.row(handle_places[h]) = targets.positions.row(h);
+  std::vector<FixedPoint> found = iterate(problem, std::move(starts));
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    poses[k].started = true;
+    reports[k] = {.converged = !problem.options.fixed_count, .slipped = poses[k].course.slipped};
   }
-  std::optional<Guesses> guesses;
-  if (options.predict) {
-    guesses = guess(problem, from.transforms, pose, targets.turns);
-    from.transforms = pose.continues ? guesses->continued : guesses->turned;
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    Pose& pose = poses[places[n]];
+    finish(problem, frames[places[n]], predictions[n], found[n], pose);
+    pose.positions(handles, Eigen::all) = pose.targets;
+    reports[places[n]] = found[n].report;
   }
-  // From rest, R = S = 1 makes the first solve the naive Laplacian one that the paper starts from.
-  const int naive_start = options.fixed_count && !pose.started ? 1 : 0;
-  const FixedPoint found =
-      iterate(problem, std::move(from), lambda(patch.vertices), options.iterations + naive_start);
-  // What would have been the better guess here is the likelier one in the next frame, and costs no solve.
-  if (guesses) {
-    pose.continues =
-        misfit(guesses->continued, found.at.transforms) < misfit(guesses->turned, found.at.transforms);
-  }
-  pose.earlier = pose.rotations;
-  scatter(patch, found.at, pose);
-  pose.positions(handles, Eigen::all) = targets.positions;
-  pose.targets = targets.positions;
-  pose.lambda = lambda;
-  pose.stretch = found.at.stretch;
-  pose.converged = found.report.converged;
-  pose.started = true;
-  return found.report;
+  return reports;
 }
 
 }  // namespace flexkey

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "flexkey/deform/course.h"
 #include "flexkey/deform/error.h"
 #include "flexkey/deform/options.h"
 #include "flexkey/mesh/mesh.h"
@@ -39,11 +41,8 @@ struct Pose {
   Eigen::VectorXd lambda;  // #V; empty at rest, which answers to every lambda
   bool converged = false;
   bool started =
-      false;  // whether a frame was ever solved into it; `fixed_count` begins its first differently
-  // What the next frame's prediction and error estimate go by:
-  std::vector<Eigen::Matrix3d> earlier;  // #V, the rotations of the frame before; empty at the start
-  bool continues = false;                // the last frame was met better by continuing R_i than by the turns
-  double stretch = 0;                    // κ as measured by the last frames; 0: not yet
+      false;      // whether a frame was ever solved into it; `fixed_count` begins its first differently
+  Course course;  // belongs to the deformer that solved last; `{}` for another
 };
 
 struct SolveReport {
@@ -51,6 +50,13 @@ struct SolveReport {
   double step = 0;      // the last step's largest vertex motion, as a share of the diagonal
   double estimate = 0;  // of the distance to the fixed point, likewise; infinite where nothing can be said
   bool converged = false;
+  bool slipped = false;  // the surface has lost a turn that its handles made
+};
+
+/// One frame of a batch.
+struct Frame {
+  Targets targets;
+  Eigen::VectorXd lambda;  // #V values in [0, 1]
 };
 
 /// The paper's method: weights, matrix and factorization once for a set of constraints; then one solve a
@@ -74,6 +80,11 @@ class Deformer {
   /// Throws DeformError, and leaves the pose as it was, if a value does not fit or the answer is not finite.
   SolveReport solve(const Targets& targets, double lambda, Pose& pose) const;
   SolveReport solve(const Targets& targets, const Eigen::VectorXd& lambda, Pose& pose) const;
+
+  /// The same for several frames of one constraint set at once, each with its own pose, in one pass over the
+  /// factor a step: a sweep over λ costs little more than its slowest run. The answers are those of single
+  /// solves. frames, poses: equally many. If one throws, all poses are left as they were.
+  std::vector<SolveReport> solve(std::span<const Frame> frames, std::span<Pose> poses) const;
 
  private:
   struct State;

@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "flexkey/deform/anderson.h"
 #include "flexkey/deform/residual.h"
 #include "flexkey/deform/tail.h"
 
@@ -16,55 +15,104 @@ namespace {
 
 /// Steps this much smaller than the tolerance are its rounding noise, whose tail cannot be judged.
 constexpr double still = 1e-6;
-constexpr int anderson_window = 5;
-constexpr double fading = 0.98;  // of κ, a frame
+/// The slowest contraction to reckon with at λ = 1, as long as the window has not seen a slower one.
+constexpr double slow = 0.98;
 constexpr double unknown = std::numeric_limits<double>::infinity();
+
+double greatest(const Eigen::VectorXd& lambda) {
+  return lambda.size() > 0 ? lambda.maxCoeff() : 0;
+}
 
 /// One run of the iteration: where it is and what it has spent.
 class Iteration {
  public:
-  Iteration(const Problem& problem, Iterate from, const Eigen::VectorXd& lambda)
-      : problem_(problem), lambda_(lambda), result_{std::move(from), {}} {}
+  Iteration(const Problem& problem, Iterate from)
+      : problem_(problem),
+        result_{std::move(from), {}},
+        least_stretch_(1 / (1 - slow * greatest(result_.at.lambda))) {
+    result_.at.window.turn_to_next_map();
+  }
 
-  /// The global step from where the iteration is, free x 3, with the frame's targets and the last R_i and
-  /// S_i.
-  Positions step();
-  /// Moves the vertices of F and fits R_i and S_i there: the local step.
-  void move(const Positions& free_positions);
-  /// Whether the estimated distance (share of the diagonal) allows to stop after the last step.
-  bool settles(double estimate);
-
-  Positions free_positions() const { return result_.at.positions.topRows(problem_.patch.free); }
-  const SolveReport& report() const { return result_.report; }
-  void remember_stretch(double stretch) { result_.at.stretch = stretch; }
-  double stretch() const { return result_.at.stretch; }
-  double diagonal() const { return problem_.diagonal; }
+  /// What the global step is solved from, free x 3; the room for it comes back through `take`.
+  Positions reduced();
+  /// Takes the solved step, free x 3.
+  void take(Positions step);
+  bool is_done() const { return done_; }
   FixedPoint finish() { return std::move(result_); }
 
  private:
+  void measure();
+  void move(const Positions& by);
+  void go(const Positions& to);
+  double estimated_distance(const Mixture& mixed);
+  bool settles(double estimate);
+
   const Problem& problem_;
-  const Eigen::VectorXd& lambda_;
   FixedPoint result_;
-  Residuals residuals_;
+  double least_stretch_;
+  Positions rows_, step_, start_;
+  GeometricTail tail_;
+  bool done_ = false;
 };
 
-Positions Iteration::step() {
-  SolveReport& report = result_.report;
-  residual(problem_.cells, result_.at.positions, result_.at.transforms, lambda_, residuals_.rows);
-  Positions step = problem_.system.step(problem_.cells, residuals_);
-  ++report.solves;
-  report.step = step.rowwise().norm().maxCoeff() / problem_.diagonal;
-  report.estimate = unknown;
-  if (!step.allFinite() || !std::isfinite(report.step)) {
-    throw DeformError(fmt::format("the solve left the range of numbers at iteration {}", report.solves));
-  }
-  return step;
+Positions Iteration::reduced() {
+  residual(problem_.cells, result_.at.positions, result_.at.transforms, result_.at.lambda, rows_);
+  problem_.system.reduce(problem_.cells, rows_, step_);
+  return std::move(step_);
 }
 
-void Iteration::move(const Positions& free_positions) {
+void Iteration::measure() {
+  SolveReport& report = result_.report;
+  ++report.solves;
+  report.step = std::sqrt(step_.rowwise().squaredNorm().maxCoeff()) / problem_.diagonal;
+  report.estimate = unknown;
+  if (!std::isfinite(step_.sum()) || !std::isfinite(report.step))
+    throw DeformError(fmt::format("the solve left the range of numbers at iteration {}", report.solves));
+}
+
+void Iteration::take(Positions step) {
+  step_ = std::move(step);
+  measure();
+  const bool is_last = result_.report.solves >= result_.at.most_solves;
+  if (!problem_.options.accelerate) {
+    move(step_);
+    done_ = settles(tail_.after(result_.report.step)) || is_last;
+  } else if (result_.report.solves == 1) {
+    // The first step leaves predicted rotations for positions that agree with their own: no pair to mix.
+    move(step_);
+    done_ = is_last;
+  } else {
+    start_ = result_.at.positions.topRows(problem_.patch.free);
+    const Mixture& mixed = result_.at.window.next(start_, step_);
+    done_ = settles(estimated_distance(mixed)) || is_last;
+    if (done_) {
+      move(step_);
+    } else {
+      go(mixed.positions);
+    }
+  }
+}
+
+void Iteration::move(const Positions& by) {
+  result_.at.positions.topRows(problem_.patch.free) += by;
+  local_step(problem_.cells, problem_.options, result_.at.positions, result_.at.transforms);
+}
+
+void Iteration::go(const Positions& to) {
+  result_.at.positions.topRows(problem_.patch.free) = to;
+  local_step(problem_.cells, problem_.options, result_.at.positions, result_.at.transforms);
+}
+
+/// As a share of the diagonal. A frame that stops at its first look shows the window no new direction, so
+/// that what is wrong in all others goes on to the next frame: such estimates add up until there is a second
+/// look.
+double Iteration::estimated_distance(const Mixture& mixed) {
   Iterate& at = result_.at;
-  at.positions.topRows(problem_.patch.free) = free_positions;
-  local_step(problem_.cells, problem_.options, at.positions, at.transforms);
+  if (at.window.differences() == 0) return unknown;
+  const double stretch = std::max(least_stretch_, at.window.stretch());
+  const double estimate = (mixed.jump + stretch * mixed.left) / problem_.diagonal;
+  at.unseen = result_.report.solves > 2 ? estimate : at.unseen + estimate;
+  return at.unseen;
 }
 
 bool Iteration::settles(double estimate) {
@@ -75,55 +123,29 @@ bool Iteration::settles(double estimate) {
   return report.converged;
 }
 
-void iterate_plainly(Iteration& iteration, int solves) {
-  GeometricTail tail;
-  while (iteration.report().solves < solves) {
-    const Positions step = iteration.step();
-    iteration.move(iteration.free_positions() + step);
-    if (iteration.settles(tail.after(iteration.report().step))) return;
-  }
-}
-
-/// How far the fixed point may be, as a share of the diagonal: κ times the step, and no less than the way
-/// that the mixture of the last steps would take at once, which sees slow modes that a single step hides.
-double estimated_distance(const Iteration& iteration, const Positions& plain, const Positions& mixed) {
-  if (iteration.stretch() == 0) return unknown;
-  const double jump = (mixed - plain).rowwise().norm().maxCoeff() / iteration.diagonal();
-  return std::max(std::max(1.0, iteration.stretch()) * iteration.report().step, jump);
-}
-
-void iterate_accelerated(Iteration& iteration, int solves) {
-  // The first step leaves predicted rotations for positions that agree with their own: no pair to mix.
-  const Positions start = iteration.step();
-  iteration.move(iteration.free_positions() + start);
-  // A frame that stops at its first look measures no κ, so what earlier frames measured fades slowly.
-  iteration.remember_stretch(fading * iteration.stretch());
-  Anderson anderson(anderson_window);
-  while (iteration.report().solves < solves) {
-    const Positions x = iteration.free_positions(), f = iteration.step(), plain = x + f;
-    const Positions mixed = anderson.next(x, f);
-    iteration.remember_stretch(std::max(anderson.stretch(), iteration.stretch()));
-    const bool settled = iteration.settles(estimated_distance(iteration, plain, mixed));
-    const bool done = settled || iteration.report().solves == solves;
-    iteration.move(done ? plain : mixed);
-    if (done) return;
-  }
-}
-
 }  // namespace
 
-FixedPoint iterate(const Problem& problem, Iterate from, const Eigen::VectorXd& lambda, int solves) {
-  if (problem.patch.free == 0) {
-    const bool converged = !problem.options.fixed_count;  // nothing to solve
-    return {std::move(from), {.converged = converged}};
+std::vector<FixedPoint> iterate(const Problem& problem, std::vector<Iterate> from) {
+  std::vector<Iteration> iterations;
+  for (Iterate& start : from) iterations.emplace_back(problem, std::move(start));
+  Factor::Workspace workspace;
+  std::vector<Positions> steps;
+  std::vector<Iteration*> running;
+  for (Iteration& iteration : iterations)
+    if (problem.patch.free > 0) running.push_back(&iteration);
+  while (!running.empty()) {
+    steps.clear();
+    for (Iteration* iteration : running) steps.push_back(iteration->reduced());
+    problem.system.solve_in_place(steps, workspace);
+    for (std::size_t k = 0; k < running.size(); ++k) running[k]->take(std::move(steps[k]));
+    std::erase_if(running, [](const Iteration* iteration) { return iteration->is_done(); });
   }
-  Iteration iteration(problem, std::move(from), lambda);
-  if (problem.options.accelerate) {
-    iterate_accelerated(iteration, solves);
-  } else {
-    iterate_plainly(iteration, solves);
+  std::vector<FixedPoint> found;
+  for (Iteration& iteration : iterations) {
+    found.push_back(iteration.finish());
+    if (problem.patch.free == 0) found.back().report.converged = !problem.options.fixed_count;
   }
-  return iteration.finish();
+  return found;
 }
 
 }  // namespace flexkey

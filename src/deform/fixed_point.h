@@ -1,5 +1,9 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "flexkey/deform/anderson.h"
 #include "flexkey/deform/cell_tables.h"
 #include "flexkey/deform/deformer.h"
 #include "flexkey/deform/local_step.h"
@@ -17,11 +21,14 @@ struct Problem {
   Eigen::MatrixXd harmonic;  // #fitted x #handles, see harmonic_weights; empty without prediction
 };
 
-/// Where the iteration is, in patch numbering.
+/// Where an iteration is, in patch numbering, and what it goes towards.
 struct Iterate {
-  Positions positions;    // #patch x 3
-  Transforms transforms;  // fitted to positions, or predicted for the frame
-  double stretch = 0;  // κ as last measured: how much farther the fixed point may be than a step; 0: unknown
+  Positions positions;     // #patch x 3, the fixed vertices already at their targets
+  Transforms transforms;   // fitted to positions, or predicted for the frame
+  Eigen::VectorXd lambda;  // #patch
+  Anderson window;         // with what earlier frames left in it
+  int most_solves = 0;
+  double unseen = 0;  // what earlier frames were estimated to be off and no mixture has looked at since
 };
 
 struct FixedPoint {
@@ -29,12 +36,13 @@ struct FixedPoint {
   SolveReport report;
 };
 
-/// Goes from `from` towards the fixed point of P -> solve(r(R(P), S(P)), c) in at most `solves` global steps.
-/// The answer is always what a solve gave. It counts as converged when the estimated distance to the fixed
-/// point that plain iteration would reach is within the tolerance: κ times the step, κ = max(1, ‖ΔP‖/‖Δf‖),
-/// and the jump of the mixture; or without acceleration the geometric series that the steps' shrinking
-/// promises. from: the fixed vertices already at their targets. lambda: #patch. Throws DeformError if the
-/// positions leave the range of numbers.
-FixedPoint iterate(const Problem& problem, Iterate from, const Eigen::VectorXd& lambda, int solves);
+/// Goes from each of `from` towards its fixed point of P -> solve(r(R(P), S(P)), c) in at most its
+/// most_solves global steps; those of all are solved in one pass, and the answers are those of single runs.
+/// An answer is always what a solve gave. It counts as converged when the estimated distance to the fixed
+/// point that plain iteration would reach is within the tolerance: with acceleration what the mixture still
+/// moves, and of what it cannot cancel κ times, κ = ‖ΔP‖/‖Δf‖ at its largest and no less than a contraction
+/// by 0.98 λ promises; without, the geometric series of the shrinking steps. Throws DeformError if positions
+/// leave the range of numbers.
+std::vector<FixedPoint> iterate(const Problem& problem, std::vector<Iterate> from);
 
 }  // namespace flexkey

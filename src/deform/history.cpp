@@ -11,33 +11,31 @@
 namespace flexkey {
 namespace {
 
-constexpr int lanes = 4;           // numbers that are summed side by side
-constexpr int chunk = 64 * lanes;  // numbers at a time: what a window has of them fits the nearest cache
+constexpr int chunk = 384;  // numbers at a time, whole rows: what a window has of them fits the nearest cache
+constexpr int width = 4;    // numbers that are summed side by side
 
-using Eight = double __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
+using Four = double __attribute__((vector_size(width * sizeof(double)), aligned(sizeof(double)), may_alias));
 
 [[gnu::always_inline]] inline double dot(const double* a, const double* b) {
-  Eight sum{};
-  for (int i = 0; i < chunk; i += lanes) {
-    sum += *reinterpret_cast<const Eight*>(a + i) * *reinterpret_cast<const Eight*>(b + i);
+  Four sum{};
+  for (int i = 0; i < chunk; i += width) {
+    sum += *reinterpret_cast<const Four*>(a + i) * *reinterpret_cast<const Four*>(b + i);
   }
   double total = 0;
-  for (int l = 0; l < lanes; ++l) total += sum[l];
+  for (int l = 0; l < width; ++l) total += sum[l];
   return total;
 }
 
-/// A chunk of a matrix with a column an iterate.
-struct Columns {
-  double* first;          // of column 0
-  std::ptrdiff_t stride;  // from column to column
-  const int* slots;       // the columns, the newest first
+/// A chunk of the last iterate and of every difference.
+struct Chunk {
+  double *f, *g;
+  std::vector<Eigen::VectorXd>&f_changes, &g_changes;
+  const std::vector<int>& slots;
+  Eigen::Index begin;
 
-  double* of(int age) const { return first + stride * slots[age]; }
+  double* f_change(int age) const { return f_changes[slots[age]].data() + begin; }
+  double* g_change(int age) const { return g_changes[slots[age]].data() + begin; }
 };
-
-Columns chunk_of(Eigen::MatrixXd& values, Eigen::Index begin, const std::vector<int>& slots) {
-  return {values.data() + begin, values.rows(), slots.data()};
-}
 
 /// The numbers of the newest iterate that fall into a chunk, and where the chunk's sums go.
 struct Arrival {
@@ -46,86 +44,126 @@ struct Arrival {
   double* sums;
 };
 
-/// Files the newest iterate and sums over the chunk: Δf_a · Δf_0 and Δf_a · f of each a, ‖Δx_0‖², ‖f‖².
-FLEXKEY_CLONES void file(const Arrival& in, const Columns& f, const Columns& g, int differences) {
-  double *f_new = f.of(0), *g_new = g.of(0), *sums = in.sums;
-  for (int i = 0; i < in.size; ++i) {
-    f_new[i] = in.f[i];
-    g_new[i] = in.x[i] + in.f[i];
-  }
-  double newest[chunk] = {}, way[chunk] = {};
-  if (differences > 0) {
-    const double *f_before = f.of(1), *g_before = g.of(1);
+/// Files the newest iterate, and its difference with the last where `grew`.
+[[gnu::always_inline]] inline void file(const Arrival& in, const Chunk& last, bool grew) {
+  if (grew) {
+    double *f_change = last.f_change(0), *g_change = last.g_change(0);
     for (int i = 0; i < in.size; ++i) {
-      newest[i] = f_new[i] - f_before[i];
-      way[i] = in.x[i] - (g_before[i] - f_before[i]);
+      f_change[i] = in.f[i] - last.f[i];
+      g_change[i] = in.x[i] + in.f[i] - last.g[i];
     }
   }
-  for (int a = 0; a < differences; ++a) {
-    const double *after = f.of(a), *before = f.of(a + 1);
-    double change[chunk];
-    for (int i = 0; i < chunk; ++i) change[i] = after[i] - before[i];
-    *sums++ = dot(change, newest);
-    *sums++ = dot(change, f_new);
+  for (int i = 0; i < in.size; ++i) {
+    last.f[i] = in.f[i];
+    last.g[i] = in.x[i] + in.f[i];
   }
-  *sums++ = dot(way, way);
-  *sums++ = dot(f_new, f_new);
 }
 
-FLEXKEY_CLONES void mix_chunk(const Columns& g, const Eigen::VectorXd& gamma, int size, double* mixed) {
-  const double* newest = g.of(0);
-  for (int i = 0; i < size; ++i) mixed[i] = newest[i];
-  for (int a = 0; a < static_cast<int>(gamma.size()); ++a) {
-    const double *after = g.of(a), *before = g.of(a + 1);
-    const double share = gamma[a];
-    for (int i = 0; i < size; ++i) mixed[i] -= share * (after[i] - before[i]);
+/// Over the chunk: ‖f‖², Δf_a · f of each a, and of a new difference ‖Δx_0‖² and Δf_a · Δf_0.
+FLEXKEY_CLONES void arrive(const Arrival& in, const Chunk& at, int differences, bool grew) {
+  file(in, at, grew);
+  double* sums = in.sums;
+  *sums++ = dot(at.f, at.f);
+  for (int a = 0; a < differences; ++a) *sums++ = dot(at.f_change(a), at.f);
+  if (!grew) return;
+  const double *f_change = at.f_change(0), *g_change = at.g_change(0);
+  double way[chunk];
+  for (int i = 0; i < chunk; ++i) way[i] = g_change[i] - f_change[i];
+  *sums++ = dot(way, way);
+  for (int a = 0; a < differences; ++a) *sums++ = dot(at.f_change(a), f_change);
+}
+
+[[gnu::always_inline]] inline double longest_row(const double* rows, int size) {
+  double longest = 0;
+  for (int i = 0; i + 2 < size; i += 3) {
+    const double square = rows[i] * rows[i] + rows[i + 1] * rows[i + 1] + rows[i + 2] * rows[i + 2];
+    longest = square > longest ? square : longest;
   }
+  return longest;
+}
+
+/// Mixes a chunk; sums: the squares of the longest rows of the jump and of what is left.
+FLEXKEY_CLONES void mix_chunk(const Chunk& at, const Eigen::VectorXd& gamma, int size, double* mixed,
+                              double* sums) {
+  double left[chunk], jump[chunk];
+  for (int i = 0; i < size; ++i) {
+    mixed[i] = at.g[i];
+    left[i] = at.f[i];
+  }
+  for (int a = 0; a < static_cast<int>(gamma.size()); ++a) {
+    const double *f_change = at.f_change(a), *g_change = at.g_change(a);
+    const double share = gamma[a];
+    for (int i = 0; i < size; ++i) mixed[i] -= share * g_change[i];
+    for (int i = 0; i < size; ++i) left[i] -= share * f_change[i];
+  }
+  for (int i = 0; i < size; ++i) jump[i] = mixed[i] - (at.g[i] - at.f[i]);
+  sums[0] = longest_row(jump, size);
+  sums[1] = longest_row(left, size);
+}
+
+void take_chunks(Eigen::VectorXd& column, Eigen::Index chunks) {
+  if (column.size() == 0) column = Eigen::VectorXd::Zero(chunks * chunk);
 }
 
 }  // namespace
 
 History::History(int window)
-    : slots_(window + 1), products_(window + 1, window + 1), along_(window), way_(window + 1) {
+    : slots_(window),
+      f_change_(window),
+      g_change_(window),
+      products_(window, window),
+      along_(window),
+      way_(window) {
   std::iota(slots_.begin(), slots_.end(), 0);
 }
 
 void History::add(const Positions& x, const Positions& f) {
-  const auto columns = static_cast<Eigen::Index>(slots_.size());
+  const int window = static_cast<int>(slots_.size());
   const Eigen::Index chunks = (x.size() + chunk - 1) / chunk;
-  if (differences_ < 0) {
-    f_ = g_ = Eigen::MatrixXd::Zero(chunks * chunk, columns);
-    mixed_.resize(x.rows(), 3);
-    shares_.resize(2 * columns, chunks);
+  const bool grew = follows_;
+  if (grew) {
+    differences_ = std::min(differences_ + 1, window);
+    std::rotate(slots_.begin(), slots_.end() - 1, slots_.end());
+    take_chunks(f_change_[slots_[0]], chunks);
+    take_chunks(g_change_[slots_[0]], chunks);
   }
-  differences_ = std::min(differences_ + 1, static_cast<int>(columns) - 1);
-  std::rotate(slots_.begin(), slots_.end() - 1, slots_.end());
+  take_chunks(f_, chunks);
+  take_chunks(g_, chunks);
+  if (shares_.size() == 0) shares_.resize(2 * window + 2, chunks);
   tbb::parallel_for(Eigen::Index{0}, chunks, [&](Eigen::Index k) {
     const Eigen::Index begin = k * chunk, size = std::min<Eigen::Index>(chunk, x.size() - begin);
     const Arrival arrival{x.data() + begin, f.data() + begin, static_cast<int>(size), shares_.col(k).data()};
-    file(arrival, chunk_of(f_, begin, slots_), chunk_of(g_, begin, slots_), differences_);
+    const Chunk at{f_.data() + begin, g_.data() + begin, f_change_, g_change_, slots_, begin};
+    arrive(arrival, at, differences_, grew);
   });
-  sum_up();
+  mixture_.positions.resize(x.rows(), 3);
+  follows_ = true;
+  sum_up(grew);
 }
 
 /// Chunk after chunk, whoever worked them out.
-void History::sum_up() {
-  const int sums = 2 * differences_ + 2;
+void History::sum_up(bool grew) {
+  const int sums = grew ? 2 * differences_ + 2 : differences_ + 1;
   Eigen::VectorXd total = Eigen::VectorXd::Zero(sums);
   for (Eigen::Index k = 0; k < shares_.cols(); ++k) total += shares_.col(k).head(sums);
-  for (int a = 0; a < differences_; ++a) {
-    products_(slots_[a], slots_[0]) = products_(slots_[0], slots_[a]) = total(2 * a);
-    along_(a) = total(2 * a + 1);
-  }
-  way_(slots_[0]) = std::sqrt(total(sums - 2));
-  residual_ = std::sqrt(total(sums - 1));
+  residual_ = std::sqrt(total(0));
+  along_.head(differences_) = total.segment(1, differences_);
+  if (!grew) return;
+  way_(slots_[0]) = std::sqrt(total(differences_ + 1));
+  for (int a = 0; a < differences_; ++a)
+    products_(slots_[a], slots_[0]) = products_(slots_[0], slots_[a]) = total(differences_ + 2 + a);
 }
 
-const Positions& History::mix(const Eigen::VectorXd& gamma) {
+const Mixture& History::mix(const Eigen::VectorXd& gamma) {
+  Positions& mixed = mixture_.positions;
   tbb::parallel_for(Eigen::Index{0}, shares_.cols(), [&](Eigen::Index k) {
-    const Eigen::Index begin = k * chunk, size = std::min<Eigen::Index>(chunk, mixed_.size() - begin);
-    mix_chunk(chunk_of(g_, begin, slots_), gamma, static_cast<int>(size), mixed_.data() + begin);
+    const Eigen::Index begin = k * chunk, size = std::min<Eigen::Index>(chunk, mixed.size() - begin);
+    const Chunk at{f_.data() + begin, g_.data() + begin, f_change_, g_change_, slots_, begin};
+    mix_chunk(at, gamma, static_cast<int>(size), mixed.data() + begin, shares_.col(k).data());
   });
-  return mixed_;
+  mixture_.jump = std::sqrt(shares_.row(0).maxCoeff());
+  mixture_.left = std::sqrt(shares_.row(1).maxCoeff());
+  return mixture_;
 }
 
 }  // namespace flexkey

@@ -7,9 +7,16 @@
 
 namespace flexkey {
 
-/// The last iterates x of a fixed-point iteration with f = G(x) − x, and the products of their differences:
-/// Δf_a, Δx_a and ΔG_a lead from an iterate to the next, a = 0 to the newest. Memory is taken on the first
-/// call and then reused; the sums do not depend on the number of threads.
+/// What the window makes of the newest iterate x.
+struct Mixture {
+  Positions positions;  // n x 3, G(x) − Σ γ_a ΔG_a
+  double jump = 0;      // the longest row of positions − x
+  double left = 0;      // the longest row of f − Σ γ_a Δf_a: what the window cannot cancel
+};
+
+/// The last differences between iterates x of a fixed-point iteration with f = G(x) − x, and their products:
+/// Δf_a, Δx_a and ΔG_a lead from an iterate to the next, a = 0 to the newest. Memory is taken while the
+/// window fills and then reused; the sums do not depend on the number of threads.
 class History {
  public:
   /// window: how many differences are kept.
@@ -17,6 +24,8 @@ class History {
 
   /// The next iterate, n x 3, with its f. n never changes.
   void add(const Positions& x, const Positions& f);
+  /// The next iterate will make no difference with the last: it answers to other targets.
+  void part() { follows_ = false; }
   /// Drops all differences.
   void forget() { differences_ = 0; }
 
@@ -26,21 +35,23 @@ class History {
   double way(int a) const { return way_(slots_[a]); }                             // ‖Δx_a‖
   double residual() const { return residual_; }                                   // ‖f‖ of the newest
 
-  /// G(x) of the newest less Σ γ_a ΔG_a, n x 3, valid until the next call. gamma: a number a difference.
-  const Positions& mix(const Eigen::VectorXd& gamma);
+  /// gamma: a number a difference; valid until the next call.
+  const Mixture& mix(const Eigen::VectorXd& gamma);
 
  private:
-  void sum_up();
+  void sum_up(bool grew);
 
-  std::vector<int> slots_;    // the column of each iterate, the newest first
-  int differences_ = -1;      // -1: there is no iterate yet
-  Eigen::MatrixXd f_, g_;     // f and G(x) of the iterates, 3 n and zeros to whole chunks
-  Eigen::MatrixXd shares_;    // a column a chunk: its share of each sum
-  Eigen::MatrixXd products_;  // of the differences, by the column that each leads to
-  Eigen::VectorXd along_;     // of the differences by age
-  Eigen::VectorXd way_;       // by column, as the products
+  std::vector<int> slots_;  // the place of each difference, the newest first
+  int differences_ = 0;
+  bool follows_ = false;                              // whether the last iterate is of the same sequence
+  Eigen::VectorXd f_, g_;                             // of the last iterate: 3 n and zeros to whole chunks
+  std::vector<Eigen::VectorXd> f_change_, g_change_;  // by place: Δf and ΔG, likewise
+  Eigen::MatrixXd shares_;                            // a column a chunk: its share of each sum
+  Eigen::MatrixXd products_;                          // of the differences, by place
+  Eigen::VectorXd along_;                             // by age
+  Eigen::VectorXd way_;                               // by place
   double residual_ = 0;
-  Positions mixed_;
+  Mixture mixture_;
 };
 
 }  // namespace flexkey

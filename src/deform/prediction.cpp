@@ -1,7 +1,10 @@
 #include "flexkey/deform/prediction.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>
+#include <algorithm>
 
 #include "flexkey/deform/factor.h"
 
@@ -52,28 +55,32 @@ Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const
 }
 
 Transforms turned(const Transforms& last, const Eigen::MatrixXd& weights, const Positions& turns) {
-  Transforms result = last;
-  const Positions vectors = weights * turns;
-  for (std::size_t i = 0; i < result.rotations.size(); ++i) {
+  return turned_further(last, weights * turns);
+}
+
+Positions deviations(const Transforms& found, const Transforms& predicted) {
+  Positions vectors(static_cast<Eigen::Index>(found.rotations.size()), 3);
+  tbb::parallel_for(std::size_t{0}, found.rotations.size(), [&](std::size_t i) {
+    const Eigen::AngleAxisd turn(found.rotations[i] * predicted.rotations[i].transpose());
+    vectors.row(static_cast<Eigen::Index>(i)) = turn.angle() * turn.axis().transpose();
+  });
+  return vectors;
+}
+
+Transforms turned_further(const Transforms& transforms, const Positions& vectors) {
+  Transforms result = transforms;
+  tbb::parallel_for(std::size_t{0}, result.rotations.size(), [&](std::size_t i) {
     const Vec3 turn = vectors.row(static_cast<Eigen::Index>(i)).transpose();
     const double angle = turn.norm();
     if (angle > 0) result.rotations[i] = Eigen::AngleAxisd(angle, turn / angle) * result.rotations[i];
-  }
+  });
   return result;
 }
 
-Transforms continued(const Transforms& last, const std::vector<Eigen::Matrix3d>& earlier) {
-  Transforms result = last;
-  for (std::size_t i = 0; i < result.rotations.size(); ++i)
-    result.rotations[i] = last.rotations[i] * earlier[i].transpose() * last.rotations[i];
-  return result;
-}
-
-double misfit(const Transforms& predicted, const Transforms& found) {
-  double sum = 0;
-  for (std::size_t i = 0; i < found.rotations.size(); ++i)
-    sum += (predicted.rotations[i] - found.rotations[i]).squaredNorm();
-  return sum;
+double recurrence(const Positions& found, const Positions& expected) {
+  const double size = expected.squaredNorm();
+  return size > 0 ? std::clamp(found.cwiseProduct(expected).sum() / size, 0.0, most_recurrence)
+                  : most_recurrence;
 }
 
 }  // namespace flexkey

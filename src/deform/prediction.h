@@ -19,10 +19,16 @@ Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const
 /// handle's world rotation vector since the last frame, radians; whole turns count.
 Transforms turned(const Transforms& last, const Eigen::MatrixXd& weights, const Positions& turns);
 
-/// R_i continued by its own last change, S_i kept: R_i R_earlierᵀ R_i.
-Transforms continued(const Transforms& last, const std::vector<Eigen::Matrix3d>& earlier);
+/// By how much R_i turned beyond a prediction, #fitted x 3: the rotation vectors of R_i found R_iᵀ predicted.
+Positions deviations(const Transforms& found, const Transforms& predicted);
 
-/// Σ ‖R_i − R_i found‖² over the cells: how far a prediction was off.
-double misfit(const Transforms& predicted, const Transforms& found);
+/// R_i turned further by its vector, S_i kept. vectors: #fitted x 3, world, radians.
+Transforms turned_further(const Transforms& transforms, const Positions& vectors);
+
+/// What share of the expected deviations came, by least squares, within 0 .. most_recurrence. Less than all
+/// of it, as what is continued in full drifts: the slow directions of λ = 1 hardly pull a frame back.
+double recurrence(const Positions& found, const Positions& expected);
+
+constexpr double most_recurrence = 0.9;
 
 }  // namespace flexkey

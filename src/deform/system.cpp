@@ -35,13 +35,19 @@ Matrix system_matrix(const Patch& patch, System system) {
 LaplacianSystem::LaplacianSystem(const Patch& patch, System system)
     : system_(system), factor_(system_matrix(patch, system)) {}
 
-Positions LaplacianSystem::step(const CellTables& cells, Residuals& residuals) const {
-  // Solving for the step instead of p′ has the same minimiser, and what the last step lost to rounding the
-  // next one makes good.
-  if (system_ == System::direct) return factor_.solve(residuals.rows);
+// Solving for the step instead of p′ has the same minimiser, and what the last step lost to rounding the next
+// one makes good.
+void LaplacianSystem::reduce(const CellTables& cells, Positions& rows, Positions& reduced) const {
+  if (system_ == System::direct) {
+    reduced.swap(rows);
+    return;
+  }
   // L is symmetric and every neighbour of F is a row, so L_fᵀ is L itself on the rows of F.
-  free_laplacian(cells, residuals.rows, residuals.normal);
-  return factor_.solve(residuals.normal);
+  free_laplacian(cells, rows, reduced);
+}
+
+void LaplacianSystem::solve_in_place(std::span<Positions> reduced, Factor::Workspace& workspace) const {
+  factor_.solve_in_place(reduced, workspace);
 }
 
 }  // namespace flexkey

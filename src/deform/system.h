@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <span>
 
 #include "flexkey/deform/cell_tables.h"
 #include "flexkey/deform/factor.h"
@@ -9,12 +10,6 @@
 
 namespace flexkey {
 
-/// What a global step starts from. The caller keeps it, so that steps need not allocate.
-struct Residuals {
-  Positions rows;    // rows x 3, r − L p
-  Positions normal;  // free x 3, L_fᵀ (r − L p); scratch of `least-squares`
-};
-
 /// The global step: the p′ that meets the fixed vertices exactly and solves the rest of eq 7 (least squares
 /// over all rows) or of eq 5 (`direct`: the rows of F, L_ff p′_f = r_f − L_fc c). Factored once.
 class LaplacianSystem {
@@ -22,9 +17,12 @@ class LaplacianSystem {
   /// Throws DeformError if the factorization fails.
   LaplacianSystem(const Patch& patch, System system);
 
-  /// The step from p to p′ of the vertices of F, free x 3, where residuals.rows is r − L p with the fixed
-  /// vertices already where they go.
-  Positions step(const CellTables& cells, Residuals& residuals) const;
+  /// What the step from p to p′ of F is solved from, free x 3. rows: r − L p, rows x 3, the fixed vertices
+  /// already where they go; for `direct` what becomes of it is unspecified.
+  void reduce(const CellTables& cells, Positions& rows, Positions& reduced) const;
+
+  /// Puts the steps in the place of what they are solved from, all in one pass over the factor.
+  void solve_in_place(std::span<Positions> reduced, Factor::Workspace& workspace) const;
 
  private:
   System system_;

@@ -24,7 +24,7 @@ struct Contraction {
 TEST(Anderson, TheFirstStepIsThePlainOne) {
   const Positions x = Positions::Random(4, 3), f = Positions::Random(4, 3);
   Anderson anderson(5);
-  EXPECT_EQ(anderson.next(x, f), Positions(x + f));
+  EXPECT_EQ(anderson.next(x, f).positions, Positions(x + f));
 }
 
 TEST(Anderson, NeedsFarFewerStepsThanThePlainIteration) {
@@ -32,7 +32,7 @@ TEST(Anderson, NeedsFarFewerStepsThanThePlainIteration) {
   Anderson anderson(5);
   Positions accelerated = Positions::Zero(4, 3), plain = accelerated;
   for (int k = 0; k < 40; ++k) {
-    accelerated = anderson.next(accelerated, contraction.residual(accelerated));
+    accelerated = anderson.next(accelerated, contraction.residual(accelerated)).positions;
     plain += contraction.residual(plain);
   }
   EXPECT_LT((accelerated - contraction.fixed_point).norm(), 1e-4);
@@ -44,7 +44,7 @@ TEST(Anderson, TheStretchTellsHowFarTheFixedPointIs) {
   Anderson anderson(5);
   Positions x = Positions::Zero(4, 3);
   EXPECT_EQ(anderson.stretch(), 0);
-  for (int k = 0; k < 8; ++k) x = anderson.next(x, contraction.residual(x));
+  for (int k = 0; k < 8; ++k) x = anderson.next(x, contraction.residual(x)).positions;
   const double left = (x - contraction.fixed_point).norm(), residual = contraction.residual(x).norm();
   EXPECT_GT(anderson.stretch(), 1);
   EXPECT_LT(anderson.stretch(), 51);  // 1 / (1 - 0.98): no difference can promise more
@@ -88,7 +88,7 @@ TEST(Anderson, MixesAsTheLeastSquaresSolutionSays) {
       const Walk path = walk(n, steps);
       Anderson anderson(5);
       Positions mixed;
-      for (int k = 0; k < steps; ++k) mixed = anderson.next(path.x[k], path.f[k]);
+      for (int k = 0; k < steps; ++k) mixed = anderson.next(path.x[k], path.f[k]).positions;
       EXPECT_LT((mixed - mixture(path, std::min(5, steps - 1))).norm(), 1e-10 * mixed.norm())
           << n << " " << steps;
     }
@@ -100,8 +100,8 @@ TEST(Anderson, ADifferenceWithinTheNewerOnesChangesNothing) {
   const Positions along = path.f[1] - path.f[0], step = path.x[1] - path.x[0];
   Anderson three(3), one(1);
   Positions mixed, expected;
-  for (int k = 0; k < 4; ++k) mixed = three.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along);
-  for (int k = 2; k < 4; ++k) expected = one.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along);
+  for (int k = 0; k < 4; ++k) mixed = three.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along).positions;
+  for (int k = 2; k < 4; ++k) expected = one.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along).positions;
   EXPECT_LT((mixed - expected).norm(), 1e-9 * expected.norm());
 }
 
@@ -111,7 +111,7 @@ TEST(Anderson, GivesTheSameBytesOnAnyNumberOfThreads) {
   for (const std::size_t threads : {1, 2, 5}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     Anderson anderson(5);
-    for (int k = 0; k < 7; ++k) mixed.push_back(anderson.next(path.x[k], path.f[k]));
+    for (int k = 0; k < 7; ++k) mixed.push_back(anderson.next(path.x[k], path.f[k]).positions);
   }
   for (std::size_t k = 7; k < mixed.size(); ++k) EXPECT_EQ(mixed[k], mixed[k % 7]);
 }
@@ -121,13 +121,13 @@ TEST(Anderson, TakesThePlainStepWhereAMixtureMadeItWorse) {
   const Positions x = Positions::Random(4, 3), f = Positions::Random(4, 3);
   anderson.next(x, f);
   const Positions worse = 100 * f;
-  EXPECT_EQ(anderson.next(x + f, worse), Positions(x + f + worse));
+  EXPECT_EQ(anderson.next(x + f, worse).positions, Positions(x + f + worse));
 }
 
 TEST(Anderson, StaysFiniteWhereNothingChanges) {
   Anderson anderson(5);
   const Positions x = Positions::Random(4, 3), f = Positions::Zero(4, 3);
-  for (int k = 0; k < 4; ++k) EXPECT_EQ(anderson.next(x, f), x);
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(anderson.next(x, f).positions, x);
 }
 
 }  // namespace

@@ -1,0 +1,94 @@
+#include "flexkey/deform/frame.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "flexkey/deform/prediction.h"
+#include "flexkey/deform/slip.h"
+
+namespace flexkey {
+namespace {
+
+/// How much faster the targets move than a frame ago.
+double quickening(double pace, double pace_before) {
+  constexpr double most = 1.5;  // little is known of what is far from the last frame
+  return pace_before > 0 ? std::min(most, pace / pace_before) : 0;
+}
+
+void wind(const Problem& problem, const Positions& turns, Course& course) {
+  if (turns.rows() == 0) return;
+  if (course.winding.rows() == 0) {
+    course.winding = Positions::Zero(problem.patch.fitted, 3);
+    course.handle_winding = Positions::Zero(turns.rows(), 3);
+  }
+  course.winding += problem.harmonic * turns + course.deviations;
+  course.handle_winding += turns;
+  course.slipped = has_slipped(problem.patch.cells, course);
+}
+
+}  // namespace
+
+Prediction predict(const Problem& problem, const Pose& pose, const Targets& targets) {
+  Prediction prediction;
+  prediction.turned = gather(problem.patch, pose).transforms;
+  if (!problem.options.predict) return prediction;
+  if (targets.turns.rows() > 0)
+    prediction.turned = turned(prediction.turned, problem.harmonic, targets.turns);
+  prediction.expected = Positions::Zero(problem.patch.fitted, 3);
+  prediction.pace = (targets.positions - pose.targets).norm();
+  if (pose.course.deviations.rows() > 0)
+    prediction.expected = quickening(prediction.pace, pose.course.pace) * pose.course.deviations;
+  return prediction;
+}
+
+Iterate gather(const Patch& patch, const Pose& pose) {
+  Iterate at;
+  at.positions = pose.positions(patch.vertices, Eigen::all);
+  at.transforms.scales.resize(patch.fitted, 3);
+  for (int i = 0; i < patch.fitted; ++i) {
+    at.transforms.rotations.push_back(pose.rotations[patch.vertices[i]]);
+    at.transforms.scales.row(i) = pose.scales.row(patch.vertices[i]);
+  }
+  return at;
+}
+
+void scatter(const Patch& patch, const Iterate& at, Pose& pose) {
+  for (int i = 0; i < patch.free; ++i) pose.positions.row(patch.vertices[i]) = at.positions.row(i);
+  for (int i = 0; i < patch.fitted; ++i) {
+    pose.rotations[patch.vertices[i]] = at.transforms.rotations[i];
+    pose.scales.row(patch.vertices[i]) = at.transforms.scales.row(i);
+  }
+}
+
+Iterate start(const Problem& problem, const Pose& pose, const Prediction& prediction) {
+  const DeformOptions& options = problem.options;
+  Iterate from = gather(problem.patch, pose);
+  if (options.predict)
+    from.transforms = turned_further(prediction.turned, pose.course.recurrence * prediction.expected);
+  from.window = pose.course.window;
+  from.unseen = pose.course.unseen;
+  // From rest, R = S = 1 makes the first solve the naive Laplacian one that the paper starts from.
+  const int naive_start = options.fixed_count && !pose.started ? 1 : 0;
+  from.most_solves = options.iterations + naive_start;
+  return from;
+}
+
+void finish(const Problem& problem, const Frame& frame, const Prediction& prediction, FixedPoint& found,
+            Pose& pose) {
+  Course& course = pose.course;
+  if (problem.options.predict) {
+    course.deviations = deviations(found.at.transforms, prediction.turned);
+    course.recurrence = recurrence(course.deviations, prediction.expected);
+    course.pace = prediction.pace;
+    wind(problem, frame.targets.turns, course);
+  }
+  course.window = std::move(found.at.window);
+  course.unseen = found.at.unseen;
+  found.report.slipped = course.slipped;
+  scatter(problem.patch, found.at, pose);
+  pose.targets = frame.targets.positions;
+  pose.lambda = frame.lambda;
+  pose.converged = found.report.converged;
+}
+
+}  // namespace flexkey
