@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "flexkey/animate/clip.h"
@@ -9,10 +10,16 @@
 
 namespace flexkey {
 
+/// One shot to solve, bound to its mesh.
+struct Take {
+  const Shot& shot;
+  const Scene& scene;
+};
+
 /// What a caller may hear of a running solve.
 struct AnimateHooks {
-  std::function<void(const FrameReport&)> on_frame = {};  // after each solved frame
-  std::function<bool()> stop = {};                        // true ends the solve after the current frame
+  std::function<void(std::size_t take, const FrameReport&)> on_frame = {};  // after each solved frame
+  std::function<bool()> stop = {};  // true ends the solve after the current frame
 };
 
 /// Solves the shot from frame 0, each frame starting from the one before, and keeps the frames of `wanted`
@@ -20,6 +27,12 @@ struct AnimateHooks {
 /// Throws DeformError if the surface cannot be solved.
 Clip animate(const Shot& shot, const Mesh& mesh, const Scene& scene, const std::vector<int>& wanted = {},
              const AnimateHooks& hooks = {});
+
+/// Solves shots of one mesh together: they share the factor and pass over it once a step, so that a sweep
+/// over λ costs little more than its slowest run. The clips are those of single calls. Throws DeformError
+/// also where the takes' constraints differ; the solver's settings are the first take's.
+std::vector<Clip> animate(std::span<const Take> takes, const Mesh& mesh, const std::vector<int>& wanted = {},
+                          const AnimateHooks& hooks = {});
 
 /// The same for the one-off case: binds the shot and solves all of it.
 Clip animate(const Shot& shot, const Mesh& mesh);

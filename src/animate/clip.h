@@ -15,6 +15,7 @@ struct FrameReport {
   double estimate =
       0;  // of the distance to the converged answer, a share of the rest diagonal; infinite: unknown
   bool converged = false;
+  bool slipped = false;  // the surface has lost a turn that its handles made
 };
 
 /// A solved animation: what every exporter and the preview read.

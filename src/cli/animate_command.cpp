@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <span>
+
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -16,6 +19,9 @@
 
 namespace flexkey::cli {
 namespace {
+
+/// Runs of a sweep that are solved in one pass; more would gain little and hold more clips in memory.
+constexpr std::size_t together = 5;
 
 /// Where the outputs go. Refuses, before hours of solving, what could not be written after.
 std::vector<std::filesystem::path> require_outputs(const LoadedShot& loaded, const ShotOptions& options,
@@ -34,22 +40,28 @@ struct Solved {
   RunReport report;
 };
 
-Solved solve(const LoadedShot& loaded, const Shot& run, const Scene& scene, const std::vector<int>& wanted,
-             Progress& progress) {
-  Solved solved;
+/// Solves runs of one sweep together.
+std::vector<Solved> solve(const LoadedShot& loaded, std::span<const Shot> runs, const Scene& scene,
+                          const std::vector<int>& wanted, Progress& progress) {
+  std::vector<Solved> solved(runs.size());
   AnimateHooks hooks;
-  hooks.on_frame = [&](const FrameReport& frame) {
-    solved.report.frames.push_back(frame);
+  hooks.on_frame = [&](std::size_t run, const FrameReport& frame) {
+    solved[run].report.frames.push_back(frame);
     progress.advance();
   };
   hooks.stop = [] { return noted_signal() != 0; };
+  std::vector<Take> takes;
+  for (const Shot& run : runs) takes.push_back({run, scene});
   const Stopwatch watch;
-  solved.clip = animate(run, loaded.mesh, scene, wanted, hooks);
-  solved.report.solve_seconds = watch.seconds();
-  solved.report.claims_convergence = run.solver.preset != SolverSettings::Preset::paper;
-  if (!solved.report.frames.empty()) {
-    solved.report.lambda_first = solved.report.frames.front().lambda;
-    solved.report.lambda_last = solved.report.frames.back().lambda;
+  std::vector<Clip> clips = animate(takes, loaded.mesh, wanted, hooks);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    RunReport& report = solved[k].report;
+    solved[k].clip = std::move(clips[k]);
+    report.solve_seconds = watch.seconds() / static_cast<double>(runs.size());
+    report.claims_convergence = runs[k].solver.preset != SolverSettings::Preset::paper;
+    if (report.frames.empty()) continue;
+    report.lambda_first = report.frames.front().lambda;
+    report.lambda_last = report.frames.back().lambda;
   }
   return solved;
 }
@@ -102,15 +114,19 @@ int run_animate(const ShotOptions& options) {
     const int frames = wanted.empty() ? loaded.shot.frame_count() : wanted.back() + 1;
     Progress progress(frames * static_cast<int>(runs.size()),
                       options.quiet ? Verbosity::quiet : Verbosity::normal);
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      Solved solved = solve(loaded, runs[k], scene, wanted, progress);
+    for (std::size_t begin = 0; begin < runs.size(); begin += together) {
+      const std::span<const Shot> batch =
+          std::span(runs).subspan(begin, std::min(together, runs.size() - begin));
+      std::vector<Solved> solved = solve(loaded, batch, scene, wanted, progress);
       if (noted_signal() != 0) {
         say(fmt::format("\nflexkey: stopped by a signal after {} of {} frames; '{}' was not written\n",
-                        solved.report.frames.size(), frames, paths[k].string()));
+                        solved.front().report.frames.size(), frames, paths[begin].string()));
         return stopped_by_signal + noted_signal();
       }
-      write(solved, runs[k], loaded, paths[k]);
-      reports.push_back(std::move(solved.report));
+      for (std::size_t k = 0; k < batch.size(); ++k) {
+        write(solved[k], batch[k], loaded, paths[begin + k]);
+        reports.push_back(std::move(solved[k].report));
+      }
     }
   }
   print_report(loaded, options, reports, load_seconds);

@@ -18,14 +18,19 @@ std::string size_text(std::uintmax_t bytes) {
   return fmt::format("{} bytes", bytes);
 }
 
+/// "3 of 48 frames WHAT (7, 8, 9)"
+std::string frames_text(const std::vector<int>& frames, std::size_t of, const char* what) {
+  constexpr std::size_t shown = 6;
+  const auto last = frames.begin() + static_cast<std::ptrdiff_t>(std::min(shown, frames.size()));
+  return fmt::format("{} of {} frames {} ({}{})", frames.size(), of, what,
+                     fmt::join(frames.begin(), last, ", "), frames.size() > shown ? ", …" : "");
+}
+
 std::string convergence_text(const RunReport& run) {
   if (!run.claims_convergence) return "a fixed count of iterations, no convergence claimed";
   const std::vector<int> unconverged = run.unconverged();
   if (unconverged.empty()) return "every frame converged";
-  constexpr std::size_t shown = 6;
-  const auto last = unconverged.begin() + static_cast<std::ptrdiff_t>(std::min(shown, unconverged.size()));
-  return fmt::format("{} of {} frames did not converge ({}{})", unconverged.size(), run.frames.size(),
-                     fmt::join(unconverged.begin(), last, ", "), unconverged.size() > shown ? ", …" : "");
+  return frames_text(unconverged, run.frames.size(), "did not converge");
 }
 
 json frame_json(const FrameReport& frame) {
@@ -33,7 +38,8 @@ json frame_json(const FrameReport& frame) {
           {"lambda", frame.lambda},
           {"solves", frame.solves},
           {"estimate", std::isfinite(frame.estimate) ? json(frame.estimate) : json()},
-          {"converged", frame.converged}};
+          {"converged", frame.converged},
+          {"slipped", frame.slipped}};
 }
 
 json run_json(const RunReport& run) {
@@ -49,6 +55,7 @@ json run_json(const RunReport& run) {
           {"solves", run.solves()},
           {"claims_convergence", run.claims_convergence},
           {"unconverged", run.unconverged()},
+          {"slipped", run.slipped()},
           {"seconds", {{"solve", run.solve_seconds}, {"write", run.write_seconds}}},
           {"outputs", std::move(written)},
           {"frame_reports", std::move(frames)}};
@@ -67,6 +74,13 @@ std::vector<int> RunReport::unconverged() const {
   if (!claims_convergence) return result;
   for (const FrameReport& frame : frames)
     if (!frame.converged) result.push_back(frame.frame);
+  return result;
+}
+
+std::vector<int> RunReport::slipped() const {
+  std::vector<int> result;
+  for (const FrameReport& frame : frames)
+    if (frame.slipped) result.push_back(frame.frame);
   return result;
 }
 
@@ -96,6 +110,9 @@ std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& 
         run.frames.empty() ? 0 : static_cast<double>(run.solves()) / static_cast<double>(run.frames.size());
     text += fmt::format("  solve  {:6.2f} s   {:.1f} solves a frame; {}\n", run.solve_seconds, mean,
                         convergence_text(run));
+    if (const std::vector<int> slipped = run.slipped(); !slipped.empty())
+      text += fmt::format("  slip   the surface lost a turn that its handles made: {}\n",
+                          frames_text(slipped, run.frames.size(), "slipped"));
     for (const WrittenFile& file : run.written)
       text += fmt::format("  write  {:6.2f} s   {}, {}, {} targets\n", run.write_seconds, file.path.string(),
                           size_text(file.gltf.bytes), file.gltf.targets);

@@ -26,6 +26,7 @@ struct RunReport {
 
   int solves() const;
   std::vector<int> unconverged() const;
+  std::vector<int> slipped() const;
 };
 
 /// What `animate` did, for `--json` on stdout.

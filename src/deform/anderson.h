@@ -10,7 +10,8 @@ namespace flexkey {
 class Anderson {
  public:
   /// window: how many differences of iterates are kept.
-  explicit Anderson(int window = 5) : history_(window) {}
+  Anderson() : Anderson(5) {}
+  explicit Anderson(int window) : history_(window) {}
 
   /// From x and its residual f, both n x 3, the next x, which is valid until the next call. With an empty
   /// window it is the plain step x + f. Where a residual grew past what a mixture may cost, the window is

@@ -63,9 +63,39 @@ TEST(Animate, StopsAfterTheFrameInWhichItIsTold) {
   const Shot shot = shot_of(bent);
   int heard = 0;
   AnimateHooks hooks;
-  hooks.on_frame = [&](const FrameReport&) { ++heard; };
+  hooks.on_frame = [&](std::size_t, const FrameReport&) { ++heard; };
   hooks.stop = [&] { return heard == 3; };
   EXPECT_EQ(animate(shot, bar, bind_shot(shot, bar), {}, hooks).frames.size(), 3u);
+}
+
+TEST(Animate, ASweepSolvedTogetherIsItsRunsSolvedAlone) {
+  const Mesh bar = meshes::bar(2, 2, 8);
+  std::vector<Shot> shots(6, shot_of(bent));  // more than the factor passes over at once
+  const double lambdas[] = {0, 0.2, 0.4, 0.6, 0.8, 1};
+  for (std::size_t k = 0; k < shots.size(); ++k) shots[k].lambda = {{0, lambdas[k], {}}};
+  const Scene scene = bind_shot(shots[0], bar);
+  std::vector<Take> takes;
+  for (const Shot& shot : shots) takes.push_back({shot, scene});
+  const std::vector<Clip> together = animate(takes, bar);
+  for (std::size_t k = 0; k < shots.size(); ++k) {
+    const Clip alone = animate(shots[k], bar, scene);
+    ASSERT_EQ(together[k].frames.size(), alone.frames.size());
+    for (std::size_t f = 0; f < alone.frames.size(); ++f) {
+      EXPECT_EQ(together[k].frames[f], alone.frames[f]) << "λ " << lambdas[k] << " frame " << f;
+      EXPECT_EQ(together[k].reports[f].solves, alone.reports[f].solves);
+    }
+  }
+}
+
+TEST(Animate, ShotsOfOtherConstraintsAreNotSolvedTogether) {
+  const Mesh bar = meshes::bar(2, 2, 8);
+  const Shot shot = shot_of(bent);
+  const Scene scene = bind_shot(shot, bar);
+  Scene other = scene;
+  other.constraints.handles.pop_back();
+  other.constraints.owner.pop_back();
+  const Take takes[] = {{shot, scene}, {shot, other}};
+  EXPECT_THROW(animate(takes, bar), DeformError);
 }
 
 TEST(Animate, ASeamNeverOpens) {

@@ -94,7 +94,17 @@ TEST(Prediction, TheWeightsOfAllHandlesSumToOne) {
   EXPECT_GE(weights.minCoeff(), -1e-12);
 }
 
-// The ends are clamped, so that the twist is a little less there than in the middle.
+/// The largest distance of the section angles from linear, degrees.
+double unevenness(const LongBar& bar, const Positions& positions, double degrees) {
+  const std::vector<double> angles = bar.section_angles(positions);
+  double most = 0;
+  for (int z = 0; z <= bar.length; ++z)
+    most = std::max(most, std::abs(angles[static_cast<std::size_t>(z)] - degrees * z / bar.length));
+  return most;
+}
+
+// The ends are clamped, so that the twist is a little less there than in the middle: in eq 7 more than in
+// eq 5.
 TEST(Prediction, ALongBarFollowsTwoTurnsAndComesBack) {
   const LongBar bar(3, 60);
   for (const System system : {System::least_squares, System::direct})
@@ -102,16 +112,69 @@ TEST(Prediction, ALongBarFollowsTwoTurnsAndComesBack) {
       const Deformer deformer(bar.mesh, bar.constraints,
                               {.system = system, .iterations = 100, .tolerance = 1e-5});
       Pose pose = deformer.rest_pose();
+      bool slipped = false;
       for (int degrees = 10; degrees <= 720; degrees += 10)
-        deformer.solve(bar.twisted(degrees, 10), lambda, pose);
-      const std::vector<double> angles = bar.section_angles(pose.positions);
-      for (int z = 0; z <= bar.length; ++z)
-        EXPECT_NEAR(angles[static_cast<std::size_t>(z)], 720.0 * z / bar.length, 18)
-            << "λ " << lambda << " section " << z;
+        slipped = deformer.solve(bar.twisted(degrees, 10), lambda, pose).slipped || slipped;
+      EXPECT_LT(unevenness(bar, pose.positions, 720), system == System::direct ? 7 : 18) << "λ " << lambda;
       for (int degrees = 710; degrees >= 0; degrees -= 10)
-        deformer.solve(bar.twisted(degrees, -10), lambda, pose);
+        slipped = deformer.solve(bar.twisted(degrees, -10), lambda, pose).slipped || slipped;
+      EXPECT_FALSE(slipped) << "λ " << lambda;
       const double diagonal = bounds_of(bar.mesh.positions).diagonal();
-      EXPECT_LT((pose.positions - bar.mesh.positions).rowwise().norm().maxCoeff(), 5e-4 * diagonal)
+      EXPECT_LT((pose.positions - bar.mesh.positions).rowwise().norm().maxCoeff(), 1e-4 * diagonal)
+          << "λ " << lambda;
+    }
+}
+
+// A closed surface without volume cannot hold a turn over so short a length.
+TEST(Prediction, AShortBarIsReportedAsSlippedFromWhereItSlips) {
+  const LongBar bar(6, 24);
+  for (const double lambda : {0.5, 1.0}) {
+    const Deformer deformer(bar.mesh, bar.constraints, {.system = System::direct, .iterations = 100});
+    Pose pose = deformer.rest_pose();
+    int slipped_at = 0;
+    for (int degrees = 10; degrees <= 540; degrees += 10) {
+      const bool slipped = deformer.solve(bar.twisted(degrees, 10), lambda, pose).slipped;
+      if (degrees <= 150) {
+        EXPECT_FALSE(slipped) << "λ " << lambda << " at " << degrees;
+      }
+      if (slipped && slipped_at == 0) slipped_at = degrees;
+    }
+    EXPECT_GT(slipped_at, 150) << "λ " << lambda;
+  }
+}
+
+TEST(Prediction, AClosedLoopOfMotionReturnsToRest) {
+  const LongBar bar(3, 12);
+  const double diagonal = bounds_of(bar.mesh.positions).diagonal();
+  for (const System system : {System::least_squares, System::direct})
+    for (const LocalScale scale : {LocalScale::uniform, LocalScale::axis, LocalScale::none})
+      for (const double lambda : {0.0, 0.5, 1.0}) {
+        const Deformer deformer(
+            bar.mesh, bar.constraints,
+            {.system = system, .local_scale = scale, .iterations = 500, .tolerance = 1e-5});
+        Pose pose = deformer.rest_pose();
+        int before = 0;
+        for (const int degrees : {15, 30, 45, 60, 40, 20, 0, -20, 0}) {
+          deformer.solve(bar.twisted(degrees, degrees - before), lambda, pose);
+          before = degrees;
+        }
+        EXPECT_LT((pose.positions - bar.mesh.positions).rowwise().norm().maxCoeff(), 1e-4 * diagonal)
+            << "λ " << lambda;
+      }
+}
+
+TEST(Prediction, WarmAndColdStartsAgreeForSmallMotions) {
+  const LongBar bar(3, 12);
+  const double diagonal = bounds_of(bar.mesh.positions).diagonal();
+  for (const System system : {System::least_squares, System::direct})
+    for (const double lambda : {0.0, 0.5, 1.0}) {
+      const Deformer deformer(bar.mesh, bar.constraints,
+                              {.system = system, .iterations = 2000, .tolerance = 1e-7});
+      Pose warm = deformer.rest_pose(), cold = deformer.rest_pose();
+      for (int degrees = 3; degrees <= 12; degrees += 3)
+        deformer.solve(bar.twisted(degrees, 3), lambda, warm);
+      deformer.solve(bar.twisted(12, 12), lambda, cold);
+      EXPECT_LT((warm.positions - cold.positions).rowwise().norm().maxCoeff(), 1e-5 * diagonal)
           << "λ " << lambda;
     }
 }

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
       {"pig", make_pig},
       {"dragon", make_dragon},
       {"bar", [] { return make_bar(4.0, 10, 40); }},
-      {"bar_20", [] { return make_bar(20.0, 6, 120); }},
+      {"bar_20", [] { return make_bar(20.0, 4, 80); }},
   };
   try {
     for (const auto& [name, make] : makers) {
