@@ -112,10 +112,10 @@ struct Mat {
 
 /// Newton's method on the rotations of a block, as best_rotation goes about it for one cell.
 struct Ascent {
-  Mat A, R;      // Σ ω e′ eᵀ, and the rotations as found so far
-  Lane least;    // a tr(Rᵀ A) under this is rounding noise
-  Mask moving;   // the cells that have not settled yet
-  Mask trusted;  // the cells whose steps were all sound
+  Mat A, R;       // Σ ω e′ eᵀ, and the rotations as found so far
+  Lane least;     // a tr(Rᵀ A) under this is rounding noise
+  Mask moving;    // the cells that have not settled yet
+  Mask doubtful;  // the cells that a step could not be trusted with
 
   /// A and R hold `count` cells. size: their Σ |ω| |e|².
   void begin(int count, const double* size);
@@ -124,10 +124,10 @@ struct Ascent {
 };
 
 [[gnu::always_inline]] inline void Ascent::begin(int count, const double* size) {
-  // The trace at the best R, the sum of the singular values, is at most √3 |A|.
-  least = 2 * collapsed * load(size);
+  // The trace at the best R, the sum of the singular values, is at most √3 |A|. Its cube must be a number.
+  least = 2 * collapsed * load(size) + 1e-100;
   for (int lane = 0; lane < width; ++lane) moving[lane] = lane < count ? -1 : 0;
-  trusted = moving;
+  doubtful = Mask{};
 }
 
 /// With M = Rᵀ A, H = (tr M) 1 − sym M and w = −H⁻¹ axial(M), R becomes R exp [w]. A cell whose H is not
@@ -140,20 +140,21 @@ struct Ascent {
   const Lane xy = -0.5 * (M.x.y + M.y.x), yz = -0.5 * (M.y.z + M.z.y), zx = -0.5 * (M.z.x + M.x.z);
   const Mat H{{trace - M.x.x, xy, zx}, {xy, trace - M.y.y, yz}, {zx, yz, trace - M.z.z}};
   const Mat adjugate{cross(H.y, H.z), cross(H.z, H.x), cross(H.x, H.y)};
-  const Lane det = dot(H.x, adjugate.x);
-  trusted &= (H.x.x > 0) & (adjugate.z.z > 0) & (det > roundness * cube) & (trace > least);
-  moving &= trusted;
+  const Lane det = dot(H.x, adjugate.x), over_det = 1 / det;
+  const Mask definite = (H.x.x > 0) & (adjugate.z.z > 0) & (det > roundness * cube) & (trace > least);
+  doubtful |= moving & ~definite;
+  moving &= definite;
 
   const Vec axial{M.z.y - M.y.z, M.x.z - M.z.x, M.y.x - M.x.y};
   const Vec w = times(adjugate, axial);  // times −det
-  const Lane half = -0.5 / det;
+  const Lane half = -0.5 * over_det;
   const Vec v{half * w.x, half * w.y, half * w.z};
   R = select(moving, times(R, turn(v, R)), R);
 
   // The ascent's third order is at most |w|² |axial|, so that |w|³ |H| / λ_min bounds what is left; and
   // λ_min is at least 4 det / (tr H)².
-  const Lane square = 4 * dot(v, v), bound = 4 * close * det;
-  moving &= square * square * square * cube * cube > bound * bound;
+  const Lane square = 4 * dot(v, v), steepness = cube * over_det / 4;
+  moving &= square * square * square * steepness * steepness > close * close;
 }
 
 [[gnu::always_inline]] inline bool Ascent::is_done() const {

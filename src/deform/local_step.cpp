@@ -71,7 +71,7 @@ FLEXKEY_CLONES void fit_cells(const Arrays& in, int begin, int end) {
     block.begin(count, in.cells.moments.size.data() + first);
     ascend(block);
     for (int lane = 0; lane < count; ++lane) {
-      if (!block.trusted[lane] || block.moving[lane]) fit_alone(in, first + lane, block, lane);
+      if (block.doubtful[lane] || block.moving[lane]) fit_alone(in, first + lane, block, lane);
     }
     const lanes::Vec S = lanes::best_scales(block.A, block.R, in.cells.moments, first, in.options);
     for (int lane = 0; lane < count; ++lane) {

@@ -29,6 +29,11 @@ Mesh fan(int n) {
   return meshes::make_mesh(points, faces);
 }
 
+Mesh scaled(Mesh mesh, double size) {
+  mesh.positions *= size;
+  return mesh;
+}
+
 /// Meshes of every valence, with and without a border, flat and solid, of n mod 8 cells for many n.
 std::vector<Mesh> rest_shapes() {
   return {meshes::tetrahedron(),
@@ -38,6 +43,9 @@ std::vector<Mesh> rest_shapes() {
           meshes::triangulated(meshes::grid(5, 2)),
           meshes::bumpy(meshes::grid(6, 5), 0.3),
           meshes::bumpy(meshes::sphere(3), 0.1),
+          scaled(meshes::bumpy(meshes::sphere(1), 0.1), 1e-30),
+          scaled(meshes::bumpy(meshes::sphere(1), 0.1), 1e-52),
+          scaled(meshes::bumpy(meshes::sphere(1), 0.1), 1e50),
           fan(40),
           meshes::bumpy(meshes::triangulated(meshes::bar(5, 2, 1)), 0.2)};
 }
@@ -65,12 +73,12 @@ struct Shape {
 };
 std::vector<Shape> deformed_shapes(const Positions& rest, std::mt19937& random) {
   const Eigen::Matrix3d turn = random_rotation(random);
-  const Vec3 far(30, -20, 10);
+  const Vec3 far = rest.norm() * Vec3(3, -2, 1);
   const auto moved = [&](const Eigen::Matrix3d& linear) { return meshes::moved(rest, turn * linear, far); };
   const auto scaled = [&](double x, double y, double z) {
     return moved(Vec3(x, y, z).asDiagonal().toDenseMatrix());
   };
-  const Positions jitter = noise(rest.rows(), random);
+  const Positions jitter = rest.norm() / std::sqrt(rest.rows()) * noise(rest.rows(), random);
   return {{"rest", rest},
           {"turned", moved(Eigen::Matrix3d::Identity())},
           {"stretched", scaled(2, 1, 0.5)},
