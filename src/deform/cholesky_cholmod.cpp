@@ -1,17 +1,45 @@
 #include <cholmod.h>
+#include <omp.h>
 
 #include <memory>
 #include <new>
 
 #include "flexkey/deform/cholesky.h"
 
+extern "C" {  // OpenBLAS has them in a header whose name is another in each distribution
+void openblas_set_num_threads(int);
+int openblas_get_num_threads();
+}
+
 namespace flexkey {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
+/// While it lives CHOLMOD and its BLAS work in the calling thread alone: their own threads mostly wait for
+/// each other at the sizes of a surface's supernodes, which takes a third of the time more, and they would
+/// compete with those of the program.
+class OneThread {
+ public:
+  OneThread() {
+    omp_set_max_active_levels(0);
+    openblas_set_num_threads(1);
+  }
+  ~OneThread() {
+    omp_set_max_active_levels(levels_);
+    openblas_set_num_threads(threads_);
+  }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  int levels_ = omp_get_max_active_levels();
+  int threads_ = openblas_get_num_threads();
+};
+
 /// CHOLMOD's settings and work space.
 struct Session {
+  OneThread one_thread;
   cholmod_common common;
 
   Session() {
