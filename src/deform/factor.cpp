@@ -91,7 +91,9 @@ void Factor::solve_in_place(std::span<Positions> b, Workspace& workspace) const 
 std::size_t Factor::bytes() const {
   const auto& [rows, L, shares, sweeps] = backend_->substitution;
   std::size_t sum = rows.capacity() * sizeof(int) + flexkey::bytes(L);
-  for (const Piece& piece : shares.pieces) sum += sizeof(Piece) + piece.border.capacity() * sizeof(int);
+  for (const Piece& piece : shares.pieces) {
+    sum += sizeof(Piece) + 2 * piece.border.capacity() * sizeof(int);
+  }
   return sum;
 }
 

@@ -1,12 +1,13 @@
 #include "flexkey/deform/partition.h"
 
 #include <algorithm>
+#include <span>
 
 namespace flexkey {
 namespace {
 
 constexpr std::int64_t least_shared = 256 * 1024;  // values; less is solved faster than shared out
-constexpr std::int64_t shares = 32;                // a piece is at most this part of the whole
+constexpr std::int64_t shares = 32;  // whole subtrees stay together up to this part of the values
 
 /// The supernode of each column.
 std::vector<int> supernode_of_columns(const Supernodes& L) {
@@ -45,59 +46,111 @@ std::vector<Subtree> subtrees_of(const Supernodes& L, const std::vector<int>& pa
   return subtrees;
 }
 
-/// The largest subtrees of at most `limit` values, neighbours joined up to the limit, and what is above them.
-Partition cut(const std::vector<Subtree>& subtrees, const std::vector<int>& parents, std::int64_t limit) {
-  Partition result;
-  std::int64_t values = 0;  // of the last piece
-  for (int s = 0; s < static_cast<int>(subtrees.size()); ++s) {
-    const bool within = subtrees[s].values <= limit;
-    if (within && parents[s] >= 0 && subtrees[parents[s]].values <= limit) continue;
-    if (!within) {
-      const bool follows = !result.top.empty() && result.top.back().end == s;
-      if (follows)
-        ++result.top.back().end;
-      else
-        result.top.push_back({s, s + 1});
-      continue;
-    }
-    values += subtrees[s].values;
-    if (!result.pieces.empty() && result.pieces.back().end == subtrees[s].first && values <= limit) {
-      result.pieces.back().end = s + 1;
+/// Grows the pieces from the leaves up.
+class Cutting {
+ public:
+  explicit Cutting(std::int64_t limit) : limit_(limit) {}
+
+  /// A whole subtree, with the one beside it under the same parent where both are small.
+  void add_subtree(const Subtree& subtree, int end, int parent) {
+    const auto [first, values] = subtree;
+    const bool is_beside = !loose_.empty() && pieces_[loose_.back()].end == first && loose_parent_ == parent;
+    const bool joins = is_beside && loose_values_ + values <= limit_;
+    if (joins) {
+      pieces_[loose_.back()].end = end;
+      loose_values_ += values;
     } else {
-      values = subtrees[s].values;
-      result.pieces.push_back({subtrees[s].first, s + 1, 0, {}});
+      add_piece(first, end);
+      loose_values_ = values;
+    }
+    loose_parent_ = parent;
+  }
+
+  /// A supernode above the loose pieces from supernode `lowest` on.
+  void add_above(int supernode, int lowest) {
+    std::vector<int> below;
+    for (; !loose_.empty() && pieces_[loose_.back()].first >= lowest; loose_.pop_back()) {
+      below.push_back(loose_.back());
+    }
+    std::reverse(below.begin(), below.end());
+    add_piece(supernode, supernode + 1);
+    pieces_.back().below = std::move(below);
+    loose_values_ = limit_;  // nothing joins it
+  }
+
+  std::vector<Piece> finish(int supernode_count) {
+    if (loose_.size() != 1) {
+      const std::vector<int> below = loose_;
+      add_piece(supernode_count, supernode_count);
+      pieces_.back().below = below;
+    }
+    return std::move(pieces_);
+  }
+
+ private:
+  void add_piece(int first, int end) {
+    loose_.push_back(static_cast<int>(pieces_.size()));
+    pieces_.push_back({.first = first, .end = end});
+  }
+
+  std::int64_t limit_;
+  std::vector<Piece> pieces_;
+  std::vector<int> loose_;         // with nothing above them yet, in order
+  std::int64_t loose_values_ = 0;  // of the last of them
+  int loose_parent_ = 0;           // the supernode above it, or -1
+};
+
+std::vector<Piece> cut(const Supernodes& L, std::int64_t limit) {
+  const std::vector<int> parents = parents_of(L);
+  const std::vector<Subtree> subtrees = subtrees_of(L, parents);
+  Cutting cutting(limit);
+  for (int s = 0; s < L.count(); ++s) {
+    if (subtrees[s].values > limit) {
+      cutting.add_above(s, subtrees[s].first);
+    } else if (parents[s] < 0 || subtrees[parents[s]].values > limit) {
+      cutting.add_subtree(subtrees[s], s + 1, parents[s]);
     }
   }
-  return result;
+  return cutting.finish(L.count());
 }
 
-/// Finds the piece's border and makes its rows name the copies from row `copies` on.
-void set_border(Supernodes& L, Piece& piece, int copies) {
-  const auto first = L.rows.begin() + L.row_offsets[piece.first];
-  const auto end = L.rows.begin() + L.row_offsets[piece.end];
+/// The columns above the piece that it or a piece below it uses, increasing.
+std::vector<int> border_of(const Supernodes& L, const std::vector<Piece>& pieces, const Piece& piece) {
   const int above = L.columns[piece.end];
-  std::copy_if(first, end, std::back_inserter(piece.border), [&](int row) { return row >= above; });
-  std::sort(piece.border.begin(), piece.border.end());
-  piece.border.erase(std::unique(piece.border.begin(), piece.border.end()), piece.border.end());
-  piece.copies = copies;
-  for (auto row = first; row != end; ++row) {
-    if (*row < above) continue;
-    const auto place = std::lower_bound(piece.border.begin(), piece.border.end(), *row);
-    *row = copies + static_cast<int>(place - piece.border.begin());
-  }
+  std::vector<int> border;
+  const auto add = [&](int column) {
+    if (column >= above) border.push_back(column);
+  };
+  std::for_each(L.rows.begin() + L.row_offsets[piece.first], L.rows.begin() + L.row_offsets[piece.end], add);
+  for (const int below : piece.below) std::ranges::for_each(pieces[below].border, add);
+  std::ranges::sort(border);
+  border.erase(std::unique(border.begin(), border.end()), border.end());
+  return border;
+}
+
+/// The row of x that the piece has for a column of its own or above.
+int row_in(const Supernodes& L, const Piece& piece, int column) {
+  if (column < L.columns[piece.end]) return column;
+  const auto place = std::ranges::lower_bound(piece.border, column);
+  return piece.copies + static_cast<int>(place - piece.border.begin());
 }
 
 }  // namespace
 
 Partition partition(Supernodes& L) {
   const std::int64_t all = L.value_offsets.back();
-  const std::int64_t limit = all < least_shared ? all : std::max(all / shares, least_shared / 8);
-  const std::vector<int> parents = parents_of(L);
-  Partition result = cut(subtrees_of(L, parents), parents, limit);
-  result.rows = L.size();
+  Partition result{cut(L, all < least_shared ? all : all / shares), L.size()};
   for (Piece& piece : result.pieces) {
-    set_border(L, piece, result.rows);
+    piece.border = border_of(L, result.pieces, piece);
+    piece.copies = result.rows;
     result.rows += static_cast<int>(piece.border.size());
+    for (const int below : piece.below) {
+      Piece& child = result.pieces[below];
+      for (const int column : child.border) child.originals.push_back(row_in(L, piece, column));
+    }
+    for (std::int64_t at = L.row_offsets[piece.first]; at < L.row_offsets[piece.end]; ++at) {
+      L.rows[at] = row_in(L, piece, L.rows[at]);
+    }
   }
   return result;
 }

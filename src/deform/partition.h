@@ -6,29 +6,25 @@
 
 namespace flexkey {
 
-/// Whole subtrees of the elimination tree, one behind the other: supernodes `first` to `end`. They read and
-/// write no column of another piece, and of the columns above them only their border's, of which they have
-/// copies of their own, from row `copies` on.
+/// A part of the elimination tree: supernodes `first` to `end`, and below them other pieces or nothing. Of
+/// the columns above a piece it uses only its border, which it has copies of; so pieces of which neither is
+/// below the other share no row of x.
 struct Piece {
   int first = 0;
   int end = 0;
-  int copies = 0;
-  std::vector<int> border;  // columns above the piece, increasing
-};
-
-struct SupernodeRange {
-  int first = 0;
-  int end = 0;
+  int copies = 0;                   // the row of x where they begin
+  std::vector<int> border = {};     // the columns, increasing
+  std::vector<int> originals = {};  // the rows of x that the piece above has for them, #border
+  std::vector<int> below = {};      // the pieces right below
 };
 
 /// How a solve is shared out. It depends on L alone, so that any number of threads sums in the same order.
 struct Partition {
-  std::vector<Piece> pieces;        // independent of each other
-  std::vector<SupernodeRange> top;  // what is above them, in order
-  int rows = 0;                     // of x: #columns, then the copies of all borders
+  std::vector<Piece> pieces;  // each behind those below it; the last is above all
+  int rows = 0;               // of x: #columns, then the copies of all pieces
 };
 
-/// Cuts the tree of L into pieces, and makes the rows of L that are a piece's border name its copies.
+/// Cuts the tree of L into pieces, and makes the rows of L that are on a piece's border name its copies.
 Partition partition(Supernodes& L);
 
 }  // namespace flexkey

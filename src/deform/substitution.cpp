@@ -61,52 +61,54 @@ void scatter(const Pass& pass, int first, int end) {
   }
 }
 
-void forward(const Pass& pass, const Piece& piece) {
-  gather(pass, piece.first, piece.end);
-  std::fill_n(pass.row(piece.copies), static_cast<std::ptrdiff_t>(piece.border.size()) * pass.width, 0.0);
-  pass.forward(pass.L, piece.first, piece.end, pass.x);
+double* copies(const Pass& pass, const Piece& piece) {
+  return pass.row(piece.copies);
 }
 
-void backward(const Pass& pass, const Piece& piece) {
-  double* copy = pass.row(piece.copies);
-  for (const int i : piece.border) copy = std::copy_n(pass.row(i), pass.width, copy);
-  pass.backward(pass.L, piece.first, piece.end, pass.x);
-  scatter(pass, piece.first, piece.end);
-}
-
-/// What the piece has for the columns above it.
+/// What a piece has for the columns above it.
 void add_copies(const Pass& pass, const Piece& piece) {
-  const double* copy = pass.row(piece.copies);
-  for (const int i : piece.border) {
+  const double* copy = copies(pass, piece);
+  for (const int i : piece.originals) {
     double* x = pass.row(i);
     for (int c = 0; c < pass.width; ++c) x[c] += *copy++;
   }
 }
 
-void solve_top(const Pass& pass) {
-  const auto& [pieces, top, rows] = pass.factor.partition;
-  for (const SupernodeRange& range : top) gather(pass, range.first, range.end);
-  for (const Piece& piece : pieces) add_copies(pass, piece);
-  for (const SupernodeRange& range : top) pass.forward(pass.L, range.first, range.end, pass.x);
-  for (auto range = top.rbegin(); range != top.rend(); ++range) {
-    pass.backward(pass.L, range->first, range->end, pass.x);
-    scatter(pass, range->first, range->end);
-  }
+void make_copies(const Pass& pass, const Piece& piece) {
+  double* copy = copies(pass, piece);
+  for (const int i : piece.originals) copy = std::copy_n(pass.row(i), pass.width, copy);
 }
 
+/// Works on the pieces right below, each by itself.
 template <class Work>
-void for_each_piece(const std::vector<Piece>& pieces, const Work& work) {
-  if (pieces.size() == 1) return work(pieces.front());
-  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) { work(pieces[p]); });
+void for_each_below(const Pass& pass, const Piece& piece, const Work& work) {
+  const std::vector<Piece>& pieces = pass.factor.partition.pieces;
+  if (piece.below.empty()) return;
+  if (piece.below.size() == 1) return work(pieces[piece.below.front()]);
+  tbb::parallel_for(std::size_t{0}, piece.below.size(), [&](std::size_t i) { work(pieces[piece.below[i]]); });
+}
+
+void forward(const Pass& pass, const Piece& piece) {
+  for_each_below(pass, piece, [&](const Piece& below) { forward(pass, below); });
+  gather(pass, piece.first, piece.end);
+  std::fill_n(copies(pass, piece), static_cast<std::ptrdiff_t>(piece.border.size()) * pass.width, 0.0);
+  for (const int below : piece.below) add_copies(pass, pass.factor.partition.pieces[below]);
+  pass.forward(pass.L, piece.first, piece.end, pass.x);
+}
+
+void backward(const Pass& pass, const Piece& piece) {
+  make_copies(pass, piece);
+  pass.backward(pass.L, piece.first, piece.end, pass.x);
+  scatter(pass, piece.first, piece.end);
+  for_each_below(pass, piece, [&](const Piece& below) { backward(pass, below); });
 }
 
 }  // namespace
 
 void substitute(const Substitution& factor, const RightHandSides& b, double* x) {
   const Pass pass = make_pass(factor, b, x);
-  for_each_piece(factor.partition.pieces, [&](const Piece& piece) { forward(pass, piece); });
-  solve_top(pass);
-  for_each_piece(factor.partition.pieces, [&](const Piece& piece) { backward(pass, piece); });
+  forward(pass, factor.partition.pieces.back());
+  backward(pass, factor.partition.pieces.back());
 }
 
 }  // namespace flexkey

@@ -139,34 +139,42 @@ TEST(Sweeps, OfEveryProcessorSubstituteAsADenseTriangleDoes) {
   }
 }
 
+/// The column that a row of x stands for in a piece.
+int column_of(const Piece& piece, int row) {
+  return row < piece.copies ? row : piece.border[static_cast<std::size_t>(row - piece.copies)];
+}
+
 TEST(Partition, CutsTheTreeIntoPiecesThatDoNotTouch) {
-  const Matrix matrix = squared(grid(120, 130));
-  Supernodes L = simplicial_cholesky(matrix, fill_reducing_order(matrix))->L;
-  const std::vector<int> rows = L.rows;
-  const Partition shares = partition(L);
-  ASSERT_GT(shares.pieces.size(), 8u);
-  std::vector<int> owners(L.count(), -1);  // the piece of each supernode
-  for (std::size_t p = 0; p < shares.pieces.size(); ++p) {
-    const Piece& piece = shares.pieces[p];
-    std::fill(owners.begin() + piece.first, owners.begin() + piece.end, static_cast<int>(p));
-  }
-  std::vector<int> column_owners;
-  for (int s = 0; s < L.count(); ++s) column_owners.insert(column_owners.end(), L.width(s), owners[s]);
-  for (int s = 0; s < L.count(); ++s) {
-    for (auto at = L.row_offsets[s]; at < L.row_offsets[s + 1]; ++at) {
-      const int owner = column_owners[rows[at]];
-      EXPECT_TRUE(owner == owners[s] || owner == -1);
-      if (owner == owners[s]) {
-        EXPECT_EQ(L.rows[at], rows[at]);
-      } else {
-        const Piece& piece = shares.pieces[owners[s]];
-        EXPECT_EQ(piece.border[L.rows[at] - piece.copies], rows[at]);
+  for (const Matrix& matrix : {squared(grid(120, 130)), squared(grid(130, 120)), grid(3, 3), islands()}) {
+    Supernodes L = cholesky(matrix, fill_reducing_order(matrix))->L;
+    const std::vector<int> rows = L.rows;
+    const Partition shares = partition(L);
+    EXPECT_EQ(shares.pieces.size() > 8, matrix.rows() > 1000);
+    int supernodes = 0;
+    int x_rows = L.size();
+    for (const Piece& piece : shares.pieces) {
+      EXPECT_TRUE(piece.first == supernodes || piece.below.empty() || piece.first == piece.end);
+      supernodes += piece.end - piece.first;
+      EXPECT_EQ(piece.copies, x_rows);
+      x_rows += static_cast<int>(piece.border.size());
+      for (auto at = L.row_offsets[piece.first]; at < L.row_offsets[piece.end]; ++at) {
+        EXPECT_EQ(column_of(piece, L.rows[at]), rows[at]);
+        const bool is_own = rows[at] >= L.columns[piece.first] && rows[at] < L.columns[piece.end];
+        EXPECT_EQ(is_own, L.rows[at] == rows[at]);
+      }
+      for (const int below : piece.below) {
+        const Piece& child = shares.pieces[below];
+        ASSERT_EQ(child.originals.size(), child.border.size());
+        for (std::size_t i = 0; i < child.border.size(); ++i) {
+          EXPECT_EQ(column_of(piece, child.originals[i]), child.border[i]);
+          EXPECT_GE(child.border[i], L.columns[piece.first]);
+        }
       }
     }
+    EXPECT_EQ(supernodes, L.count());
+    EXPECT_EQ(x_rows, shares.rows);
+    EXPECT_TRUE(shares.pieces.back().border.empty());
   }
-  int top = 0;
-  for (const SupernodeRange& range : shares.top) top += range.end - range.first;
-  EXPECT_EQ(top, std::count(owners.begin(), owners.end(), -1));
 }
 
 }  // namespace
