@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "flexkey/deform/vertex_areas.h"
 
 namespace flexkey {
 namespace {
@@ -30,21 +31,6 @@ std::string name_of(const std::vector<int>& component) {
   return fmt::format("the component of {} vertices at vertex {}", component.size(), first);
 }
 
-/// #V, a third of the areas of the triangles at each vertex, polygons fanned from their first corner.
-Eigen::VectorXd vertex_areas(const Mesh& mesh) {
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.vertex_count());
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const std::span<const int> face = mesh.face(f);
-    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-      const Vec3 a = mesh.positions.row(face[0]), b = mesh.positions.row(face[k]);
-      const Vec3 c = mesh.positions.row(face[k + 1]);
-      const double third = (b - a).cross(c - a).norm() / 6;
-      for (const int v : {face[0], face[k], face[k + 1]}) areas(v) += third;
-    }
-  }
-  return areas;
-}
-
 void require_within(const std::vector<int>& vertices, int vertex_count, const char* role) {
   for (const int v : vertices) {
     if (v < 0 || v >= vertex_count) {
@@ -65,6 +51,9 @@ void require_sound(const DeformOptions& options) {
     throw DeformError(fmt::format("tolerance is {}; it must not be negative", options.tolerance));
   if (!(options.epsilon >= 0) || !std::isfinite(options.epsilon)) {
     throw DeformError(fmt::format("epsilon is {}; it must be a number from 0 upwards", options.epsilon));
+  }
+  if (options.area_weighting && options.system == System::direct) {
+    throw DeformError("area weighting scales the rows of least squares; the direct system has none");
   }
 }
 

@@ -1,5 +1,6 @@
 #include "flexkey/deform/system.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "flexkey/deform/residual.h"
@@ -25,15 +26,19 @@ Matrix free_columns(const Patch& patch) {
   return columns;
 }
 
-Matrix system_matrix(const Patch& patch, System system) {
+Matrix system_matrix(const Patch& patch, System system, const Eigen::VectorXd& row_weights) {
   const Matrix L_f = free_columns(patch);
-  return system == System::direct ? L_f : Matrix(L_f.transpose() * L_f);
+  if (system == System::direct) return L_f;
+  if (row_weights.size() == 0) return L_f.transpose() * L_f;
+  return L_f.transpose() * row_weights.head(patch.rows).asDiagonal() * L_f;
 }
 
 }  // namespace
 
-LaplacianSystem::LaplacianSystem(const Patch& patch, System system)
-    : system_(system), factor_(system_matrix(patch, system)) {}
+LaplacianSystem::LaplacianSystem(const Patch& patch, System system, const Eigen::VectorXd& row_weights)
+    : system_(system),
+      row_weights_(row_weights.head(std::min<Eigen::Index>(row_weights.size(), patch.rows))),
+      factor_(system_matrix(patch, system, row_weights)) {}
 
 // Solving for the step instead of p′ has the same minimiser, and what the last step lost to rounding the next
 // one makes good.
@@ -42,6 +47,7 @@ void LaplacianSystem::reduce(const CellTables& cells, Positions& rows, Positions
     reduced.swap(rows);
     return;
   }
+  if (row_weights_.size() > 0) rows.array().colwise() *= row_weights_.array();
   // L is symmetric and every neighbour of F is a row, so L_fᵀ is L itself on the rows of F.
   free_laplacian(cells, rows, reduced);
 }

@@ -6,11 +6,12 @@
 #include <tuple>
 #include <utility>
 
+#include "flexkey/deform/fans.h"
+
 namespace flexkey {
 namespace {
 
-constexpr double clamp_share = 1e-6;   // of the mean weight
-constexpr std::size_t most_fans = 64;  // a polygon of n corners costs n times its fans
+constexpr double clamp_share = 1e-6;  // of the mean weight
 
 struct WeightedEdge {
   int low = 0, high = 0;
@@ -55,29 +56,14 @@ std::array<double, 3> cotangents(const Vec3& a, const Vec3& b, const Vec3& c, do
   return {-ab.dot(ca) / double_area, -bc.dot(ab) / double_area, -ca.dot(bc) / double_area};
 }
 
-/// The corners that a polygon is fanned from: all of them, or where that would cost too much an even choice
-/// that begins at the lowest vertex, so that it does not depend on where the face begins.
-std::vector<std::size_t> fan_roots(std::span<const int> face) {
-  const std::size_t n = face.size(), count = std::min(n, most_fans);
-  const auto lowest = static_cast<std::size_t>(std::min_element(face.begin(), face.end()) - face.begin());
-  std::vector<std::size_t> roots(count);
-  for (std::size_t k = 0; k < count; ++k) roots[k] = (lowest + k * n / count) % n;
-  return roots;
-}
-
 Edges cotangent_edges(const Positions& p, std::span<const int> face, double thickness) {
   Edges edges;
-  const std::vector<std::size_t> roots = fan_roots(face);
-  const double half_share = 0.5 / static_cast<double>(roots.size());
-  for (const std::size_t root : roots) {
-    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-      const int a = face[root], b = face[(root + k) % face.size()], c = face[(root + k + 1) % face.size()];
-      if (a == b || b == c || c == a) continue;
-      const auto [cot_a, cot_b, cot_c] = cotangents(p.row(a), p.row(b), p.row(c), thickness);
-      edges.push_back(edge_between(b, c, half_share * cot_a));
-      edges.push_back(edge_between(c, a, half_share * cot_b));
-      edges.push_back(edge_between(a, b, half_share * cot_c));
-    }
+  for (const auto& [corners, share] : fan_triangles(face)) {
+    const auto [a, b, c] = corners;
+    const auto [cot_a, cot_b, cot_c] = cotangents(p.row(a), p.row(b), p.row(c), thickness);
+    edges.push_back(edge_between(b, c, 0.5 * share * cot_a));
+    edges.push_back(edge_between(c, a, 0.5 * share * cot_b));
+    edges.push_back(edge_between(a, b, 0.5 * share * cot_c));
   }
   return merged(std::move(edges));
 }

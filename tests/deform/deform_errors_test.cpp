@@ -77,6 +77,11 @@ TEST(DeformErrors, OptionsOutOfRange) {
   EXPECT_THAT(setup_message(mesh, {{0}, {}}, {.epsilon = -0.1}), HasSubstr("epsilon is -0.1"));
 }
 
+TEST(DeformErrors, AreaWeightingOfADirectSystem) {
+  EXPECT_EQ(setup_message(meshes::cube(), {{0}, {}}, {.system = System::direct, .area_weighting = true}),
+            "area weighting scales the rows of least squares; the direct system has none");
+}
+
 TEST(DeformErrors, AFramesValuesThatDoNotFitLeaveThePoseAlone) {
   const Mesh mesh = meshes::bar(3, 1, 1);
   const Deformer deformer(mesh, {{0, 1}, {}});

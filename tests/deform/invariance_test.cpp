@@ -34,6 +34,9 @@ void expect_fixed_point(const Mesh& mesh, const Positions& moved, double lambda,
   EXPECT_LT(largest_distance(pose.positions, moved), 1e-9 * bounds_of(moved).diagonal());
 }
 
+/// What a shot may ask for beside the system and the local scale.
+const std::vector<DeformOptions> kinds{{.area_weighting = true, .iterations = 20}};
+
 TEST(Invariance, ARigidMotionOfAllHandlesIsAFixedPoint) {
   const Mesh quads = meshes::bumpy(meshes::bar(6, 2, 1), 0.1);
   const Eigen::Matrix3d turn = meshes::turn(130, {1, 2, -1});
@@ -45,6 +48,17 @@ TEST(Invariance, ARigidMotionOfAllHandlesIsAFixedPoint) {
           expect_fixed_point(mesh, meshes::moved(mesh.positions, turn, {5, -3, 2}), lambda, options);
         }
       }
+    }
+  }
+}
+
+TEST(Invariance, ARigidMotionIsAFixedPointOfEveryKindOfRowsAndCells) {
+  const Mesh quads = meshes::bumpy(meshes::bar(6, 2, 1), 0.3);
+  const Eigen::Matrix3d turn = meshes::turn(130, {1, 2, -1});
+  for (const Mesh& mesh : {quads, meshes::triangulated(quads)}) {
+    const Positions moved = meshes::moved(mesh.positions, turn, {5, -3, 2});
+    for (const DeformOptions& options : kinds) {
+      for (const double lambda : {0.0, 0.5, 1.0}) expect_fixed_point(mesh, moved, lambda, options);
     }
   }
 }
@@ -112,7 +126,9 @@ TEST(Invariance, PermutingTheVerticesPermutesTheAnswer) {
   std::iota(new_index.begin(), new_index.end(), 0);
   std::shuffle(new_index.begin(), new_index.end(), std::mt19937(7));
   const Mesh shuffled = permuted(mesh, new_index);
-  for (const DeformOptions& options : both_systems) {
+  std::vector<DeformOptions> all = both_systems;
+  all.insert(all.end(), kinds.begin(), kinds.end());
+  for (const DeformOptions& options : all) {
     const Positions plain = answer(mesh, bent(mesh), options);
     const Positions other = answer(shuffled, bent(shuffled), options);
     EXPECT_LT(largest_distance(other(new_index, Eigen::all), plain), 1e-9);
