@@ -49,9 +49,8 @@ Eigen::MatrixXd turn_weights(const Mesh& rest, const Cells& cells, const Constra
     owner[constraints.handles[k]] = handle;
     handle_count = std::max(handle_count, handle + 1);
   }
-  const bool is_clamped = weights == Weights::clamped;
-  return harmonic_weights(is_clamped ? cells : build_cells(rest, Weights::clamped), patch, owner,
-                          handle_count);
+  const bool is_held = weights == Weights::clamped || weights == Weights::intrinsic_delaunay;
+  return harmonic_weights(is_held ? cells : build_cells(rest, Weights::clamped), patch, owner, handle_count);
 }
 
 Problem make_problem(const Mesh& rest, const Constraints& constraints, const DeformOptions& options) {

@@ -2,9 +2,9 @@
 
 namespace flexkey {
 
-enum class System { least_squares, direct };         // eq 7, or eq 5 on the free rows
-enum class LocalScale { axis, uniform, none };       // S_i: eq 8, its one-number form, or 1
-enum class Weights { clamped, cotangent, uniform };  // ω_ij
+enum class System { least_squares, direct };    // eq 7, or eq 5 on the free rows
+enum class LocalScale { axis, uniform, none };  // S_i: eq 8, its one-number form, or 1
+enum class Weights { clamped, cotangent, intrinsic_delaunay, uniform };  // ω_ij
 
 struct DeformOptions {
   System system = System::least_squares;

@@ -1,6 +1,5 @@
 #include "flexkey/deform/weights.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -19,11 +18,13 @@ struct WeightedEdge {
 };
 using Edges = std::vector<WeightedEdge>;
 
+bool by_ends(const WeightedEdge& a, const WeightedEdge& b) {
+  return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+}
+
 /// One entry an edge, its weights summed.
 Edges merged(Edges edges) {
-  std::sort(edges.begin(), edges.end(), [](const WeightedEdge& a, const WeightedEdge& b) {
-    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
-  });
+  std::sort(edges.begin(), edges.end(), by_ends);
   std::size_t kept = 0;
   for (const WeightedEdge& edge : edges) {
     if (kept > 0 && edges[kept - 1].low == edge.low && edges[kept - 1].high == edge.high) {
@@ -40,30 +41,23 @@ WeightedEdge edge_between(int i, int j, double weight) {
   return {std::min(i, j), std::max(i, j), weight};
 }
 
-/// The least thickness that a triangle counts with: its double area over its longest side squared. Stiffer
-/// slivers would drown their cells: with a few percent of them λ = 0 no longer converges.
-double least_thickness(Weights weights) {
-  return weights == Weights::clamped ? 5e-3 : 1e-4;
+WeightedEdge opposite_edge(const WeightedTriangle& triangle, std::size_t k, double weight) {
+  return edge_between(triangle.corners[(k + 1) % 3], triangle.corners[(k + 2) % 3], weight);
 }
 
-/// The cotangents at three corners, their triangle held at the least thickness. Scaling all three alike
-/// keeps the triangle's share of L positive semidefinite.
-std::array<double, 3> cotangents(const Vec3& a, const Vec3& b, const Vec3& c, double thickness) {
-  const Vec3 ab = b - a, bc = c - b, ca = a - c;
-  const double longest = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
-  if (longest == 0) return {0, 0, 0};
-  const double double_area = std::max(ab.cross(ca).norm(), thickness * longest);
-  return {-ab.dot(ca) / double_area, -bc.dot(ab) / double_area, -ca.dot(bc) / double_area};
-}
-
-Edges cotangent_edges(const Positions& p, std::span<const int> face, double thickness) {
+Edges cotangent_edges(const std::vector<WeightedTriangle>& triangles) {
   Edges edges;
-  for (const auto& [corners, share] : fan_triangles(face)) {
-    const auto [a, b, c] = corners;
-    const auto [cot_a, cot_b, cot_c] = cotangents(p.row(a), p.row(b), p.row(c), thickness);
-    edges.push_back(edge_between(b, c, 0.5 * share * cot_a));
-    edges.push_back(edge_between(c, a, 0.5 * share * cot_b));
-    edges.push_back(edge_between(a, b, 0.5 * share * cot_c));
+  for (const WeightedTriangle& triangle : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back(opposite_edge(triangle, k, triangle.weights[k]));
+  }
+  return merged(std::move(edges));
+}
+
+/// In how many triangles each edge lies, by their shares.
+Edges edge_shares(const std::vector<WeightedTriangle>& triangles) {
+  Edges edges;
+  for (const WeightedTriangle& triangle : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back(opposite_edge(triangle, k, triangle.share));
   }
   return merged(std::move(edges));
 }
@@ -83,24 +77,27 @@ Edges uniform_edges(std::span<const int> face) {
   return merged(std::move(edges));
 }
 
-Edges weighted_edges(const Mesh& mesh, Weights weights) {
+/// Of all faces; a side of two of them is one edge of weight 1.
+Edges uniform_edges(const Mesh& mesh) {
   Edges edges;
   for (int f = 0; f < mesh.face_count(); ++f) {
-    const std::span<const int> face = mesh.face(f);
-    if (face.size() < 3) continue;
-    const Edges of_face = weights == Weights::uniform
-                              ? uniform_edges(face)
-                              : cotangent_edges(mesh.positions, face, least_thickness(weights));
+    if (mesh.face(f).size() < 3) continue;
+    const Edges of_face = uniform_edges(mesh.face(f));
     edges.insert(edges.end(), of_face.begin(), of_face.end());
   }
-  return merged(std::move(edges));
+  edges = merged(std::move(edges));
+  for (WeightedEdge& edge : edges) edge.weight = std::min(edge.weight, 1.0);
+  return edges;
 }
 
-void hold_above_floor(Edges& edges) {
+/// The weights as they count: all but plain cotangents held above a floor.
+Edges held(Edges edges, Weights weights) {
+  if (weights == Weights::cotangent) return edges;
   double sum = 0;
   for (const WeightedEdge& edge : edges) sum += edge.weight;
   const double floor = clamp_share * sum / static_cast<double>(edges.size());
   for (WeightedEdge& edge : edges) edge.weight = std::max(edge.weight, floor);
+  return edges;
 }
 
 /// `edges` sorted by (low, high), so that each cell's neighbours come out increasing.
@@ -122,13 +119,21 @@ Cells cells_of(const Edges& edges, int vertex_count) {
 }  // namespace
 
 Cells build_cells(const Mesh& mesh, Weights weights) {
-  Edges edges = weighted_edges(mesh, weights);
-  if (weights == Weights::clamped) hold_above_floor(edges);
-  if (weights == Weights::uniform) {
-    for (WeightedEdge& edge : edges)
-      edge.weight = std::min(edge.weight, 1.0);  // a side of two faces is one edge
+  if (weights == Weights::uniform) return cells_of(uniform_edges(mesh), mesh.vertex_count());
+  return cells_of(held(cotangent_edges(cotangent_triangles(mesh, weights)), weights), mesh.vertex_count());
+}
+
+std::vector<WeightedTriangle> build_triangles(const Mesh& mesh, Weights weights) {
+  std::vector<WeightedTriangle> triangles = cotangent_triangles(mesh, weights);
+  const Edges raw = cotangent_edges(triangles), shares = edge_shares(triangles), all = held(raw, weights);
+  for (WeightedTriangle& triangle : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at =
+          std::lower_bound(raw.begin(), raw.end(), opposite_edge(triangle, k, 0), by_ends) - raw.begin();
+      triangle.weights[k] += (all[at].weight - raw[at].weight) * triangle.share / shares[at].weight;
+    }
   }
-  return cells_of(edges, mesh.vertex_count());
+  return triangles;
 }
 
 }  // namespace flexkey

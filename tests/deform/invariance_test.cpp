@@ -35,7 +35,10 @@ void expect_fixed_point(const Mesh& mesh, const Positions& moved, double lambda,
 }
 
 /// What a shot may ask for beside the system and the local scale.
-const std::vector<DeformOptions> kinds{{.area_weighting = true, .iterations = 20}};
+const std::vector<DeformOptions> kinds{
+    {.area_weighting = true, .iterations = 20},
+    {.weights = Weights::intrinsic_delaunay, .iterations = 20},
+};
 
 TEST(Invariance, ARigidMotionOfAllHandlesIsAFixedPoint) {
   const Mesh quads = meshes::bumpy(meshes::bar(6, 2, 1), 0.1);
