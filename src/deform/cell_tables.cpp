@@ -3,14 +3,13 @@
 #include <cmath>
 
 namespace flexkey {
-namespace {
 
-RestMoments zeros(int fitted) {
+RestMoments no_moments(int fitted) {
   const std::vector<double> zero((static_cast<std::size_t>(fitted) + 7) / 8 * 8);
   return {zero, zero, zero, zero, zero, zero, zero, zero};
 }
 
-void add(const Vec3& e, double weight, RestMoments& sums, int i) {
+void add_moments(const Vec3& e, double weight, RestMoments& sums, int i) {
   const Vec3 we = weight * e;
   sums.trace[i] += we.dot(e);
   sums.size[i] += std::abs(weight) * e.squaredNorm();
@@ -22,8 +21,6 @@ void add(const Vec3& e, double weight, RestMoments& sums, int i) {
   sums.zx[i] += we.z() * e.x();
 }
 
-}  // namespace
-
 CellTables tabulate(const Patch& patch) {
   const auto edge_count = static_cast<Eigen::Index>(patch.cells.edges.size());
   CellTables tables;
@@ -32,14 +29,14 @@ CellTables tabulate(const Patch& patch) {
   tables.fitted = patch.fitted;
   tables.offsets = patch.cells.offsets;
   tables.edges.resize(edge_count, 3);
-  tables.moments = zeros(patch.fitted);
+  tables.moments = no_moments(patch.fitted);
   for (int i = 0; i < patch.fitted; ++i) {
     for (const auto [j, weight] : patch.cells.of(i)) {
       const Vec3 e = patch.rest.row(i) - patch.rest.row(j);
       tables.edges.row(static_cast<Eigen::Index>(tables.weights.size())) = weight * e;
       tables.neighbours.push_back(j);
       tables.weights.push_back(weight);
-      add(e, weight, tables.moments, i);
+      add_moments(e, weight, tables.moments, i);
     }
   }
   return tables;

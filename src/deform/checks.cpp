@@ -55,6 +55,10 @@ void require_sound(const DeformOptions& options) {
   if (options.area_weighting && options.system == System::direct) {
     throw DeformError("area weighting scales the rows of least squares; the direct system has none");
   }
+  if (options.cell == Cell::spokes_and_rims && options.weights == Weights::uniform) {
+    throw DeformError(
+        "spokes and rims are weighted by their triangles' cotangents; uniform weights have none");
+  }
 }
 
 void require_sound(const Mesh& rest) {

@@ -6,6 +6,7 @@
 #include "flexkey/deform/checks.h"
 #include "flexkey/deform/frame.h"
 #include "flexkey/deform/prediction.h"
+#include "flexkey/deform/rims.h"
 #include "flexkey/deform/vertex_areas.h"
 
 namespace flexkey {
@@ -58,11 +59,13 @@ Problem make_problem(const Mesh& rest, const Constraints& constraints, const Def
   const std::vector<bool> is_free = free_vertices(constraints, cells);
   require_held(rest, cells, is_free);
   const Patch patch = make_patch(cells, rest.positions, is_free, options.system);
+  CellTables tables = tabulate(patch);
+  if (options.cell == Cell::spokes_and_rims) add_rims(build_triangles(rest, options.weights), patch, tables);
   Eigen::VectorXd rows_by_area;
   if (options.area_weighting) rows_by_area = row_weights(rest)(patch.vertices);
   Problem problem{options,
                   patch,
-                  tabulate(patch),
+                  std::move(tables),
                   LaplacianSystem(patch, options.system, rows_by_area),
                   bounds_of(rest.positions).diagonal(),
                   {}};

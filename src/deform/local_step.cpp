@@ -26,7 +26,7 @@ struct Arrays {
   double* rotation(int i) const { return R + 9 * static_cast<std::ptrdiff_t>(i); }
 };
 
-/// A_i = Σ_j ω e′ eᵀ of a cell, into its lane.
+/// A_i = Σ ω e′ eᵀ of a cell's edges, as Σ_j (p′_i − p′_j) a_ijᵀ, into its lane.
 [[gnu::always_inline]] inline void gather(const Arrays& in, int i, lanes::Mat& A, int lane) {
   using Four = double __attribute__((vector_size(4 * sizeof(double))));  // x, y, z and a spare
   const CellTables& cells = in.cells;
@@ -35,11 +35,11 @@ struct Arrays {
   Four x{}, y{}, z{};  // the columns of A_i, one for each coordinate of e
   for (int k = cells.offsets[i]; k < cells.offsets[i + 1]; ++k) {
     const double* p_j = in.p + 3 * static_cast<std::ptrdiff_t>(cells.neighbours[k]);
-    const double* we = cells.edges.data() + 3 * static_cast<std::ptrdiff_t>(k);
+    const double* a = cells.edges.data() + 3 * static_cast<std::ptrdiff_t>(k);
     const Four e = here - Four{p_j[0], p_j[1], p_j[2], 0};
-    x += e * we[0];
-    y += e * we[1];
-    z += e * we[2];
+    x += e * a[0];
+    y += e * a[1];
+    z += e * a[2];
   }
   const double columns[9] = {x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]};
   lanes::put(columns, A, lane);

@@ -25,6 +25,7 @@ using Loose = double __attribute__((vector_size(4 * sizeof(double)), aligned(8))
 /// What residual() was called with, as plain arrays.
 struct Arrays {
   const CellTables& cells;
+  const double* pulls;  // d_ij
   const double* p;
   const double* R;
   const double* S;
@@ -38,24 +39,25 @@ FLEXKEY_CLONES void residual_rows(const Arrays& in, int begin, int end) {
     const double* p_i = row(in.p, i);
     const Four here{p_i[0], p_i[1], p_i[2], 0};
     Four Lp{}, delta{};
-    // Σ_j R_j (ω e): each column of R_j by one coordinate. The third is read from one entry before its start,
+    // Σ_j R_j d_ij: each column of R_j by one coordinate. The third is read from one entry before its start,
     // so as not to reach past the last matrix.
     Four first{}, second{}, third{};
     for (int k = cells.offsets[i]; k < cells.offsets[i + 1]; ++k) {
       const int j = cells.neighbours[k];
-      const double *p_j = row(in.p, j), *we = row(cells.edges.data(), k), *R_j = matrix(in.R, j);
+      const double *p_j = row(in.p, j), *d = row(in.pulls, k), *R_j = matrix(in.R, j);
       Lp += (here - Four{p_j[0], p_j[1], p_j[2], 0}) * cells.weights[k];
-      delta += Four{we[0], we[1], we[2], 0};
-      first += *reinterpret_cast<const Loose*>(R_j) * we[0];
-      second += *reinterpret_cast<const Loose*>(R_j + 3) * we[1];
-      third += *reinterpret_cast<const Loose*>(R_j + 5) * we[2];
+      delta += Four{d[0], d[1], d[2], 0};
+      first += *reinterpret_cast<const Loose*>(R_j) * d[0];
+      second += *reinterpret_cast<const Loose*>(R_j + 3) * d[1];
+      third += *reinterpret_cast<const Loose*>(R_j + 5) * d[2];
     }
     const double *R_i = matrix(in.R, i), *S_i = row(in.S, i);
     const double lambda = in.lambda[i];
     for (int c = 0; c < 3; ++c) {
       const double turned = R_i[c] * delta[0] + R_i[3 + c] * delta[1] + R_i[6 + c] * delta[2];
       const double neighbours = first[c] + second[c] + third[c + 1];
-      const double r = lambda * 0.5 * (turned + neighbours) + (1 - lambda) * S_i[c] * turned;
+      const double rigid = cells.own * turned + (1 - cells.own) * neighbours;
+      const double r = lambda * rigid + (1 - lambda) * S_i[c] * turned;
       in.result[3 * static_cast<std::ptrdiff_t>(i) + c] = r - Lp[c];
     }
   }
@@ -88,8 +90,9 @@ void residual(const CellTables& cells, const Positions& p, const Transforms& tra
               const Eigen::VectorXd& lambda, Positions& result) {
   result.resize(cells.rows, 3);
   if (cells.rows == 0) return;
+  const Positions& pulls = cells.pulls.size() > 0 ? cells.pulls : cells.edges;
   const Arrays arrays{
-      cells,         p.data(),     transforms.rotations.data()->data(), transforms.scales.data(),
+      cells,         pulls.data(), p.data(), transforms.rotations.data()->data(), transforms.scales.data(),
       lambda.data(), result.data()};
   for_rows(cells.rows, [&](int begin, int end) { residual_rows(arrays, begin, end); });
 }

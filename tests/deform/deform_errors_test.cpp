@@ -82,6 +82,12 @@ TEST(DeformErrors, AreaWeightingOfADirectSystem) {
             "area weighting scales the rows of least squares; the direct system has none");
 }
 
+TEST(DeformErrors, RimsOfUniformWeights) {
+  EXPECT_EQ(
+      setup_message(meshes::cube(), {{0}, {}}, {.weights = Weights::uniform, .cell = Cell::spokes_and_rims}),
+      "spokes and rims are weighted by their triangles' cotangents; uniform weights have none");
+}
+
 TEST(DeformErrors, AFramesValuesThatDoNotFitLeaveThePoseAlone) {
   const Mesh mesh = meshes::bar(3, 1, 1);
   const Deformer deformer(mesh, {{0, 1}, {}});

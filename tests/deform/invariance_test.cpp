@@ -38,6 +38,13 @@ void expect_fixed_point(const Mesh& mesh, const Positions& moved, double lambda,
 const std::vector<DeformOptions> kinds{
     {.area_weighting = true, .iterations = 20},
     {.weights = Weights::intrinsic_delaunay, .iterations = 20},
+    {.cell = Cell::spokes_and_rims, .iterations = 20},
+    {.system = System::direct, .cell = Cell::spokes_and_rims, .iterations = 20},
+    {.local_scale = LocalScale::axis,
+     .weights = Weights::intrinsic_delaunay,
+     .cell = Cell::spokes_and_rims,
+     .area_weighting = true,
+     .iterations = 20},
 };
 
 TEST(Invariance, ARigidMotionOfAllHandlesIsAFixedPoint) {
