@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "flexkey/animate/join_components.h"
 #include "flexkey/mesh/connectivity.h"
 #include "flexkey/mesh/select.h"
 
@@ -19,6 +20,17 @@ std::size_t index(int i) {
 
 constexpr int nobody = -1;
 
+std::string vertices_text(std::size_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "vertex" : "vertices");
+}
+
+/// How many vertices two lists have in common; `sorted` is in increasing order.
+std::size_t shared(const std::vector<int>& sorted, const std::vector<int>& other) {
+  return static_cast<std::size_t>(std::count_if(other.begin(), other.end(), [&](int v) {
+    return std::binary_search(sorted.begin(), sorted.end(), v);
+  }));
+}
+
 /// Binds one shot, collecting every error on the way.
 class Binder {
  public:
@@ -28,7 +40,9 @@ class Binder {
  private:
   void bind_region(const Selector& selector);
   void bind_handles(const Selector& selector);
+  void bind_regions(const Selector& selector);
   void refuse_shared_vertices();
+  void refuse_regions_that_touch();
   void refuse_handles_outside();
   void place_loose_components();
   void attach(const std::vector<int>& vertices);
@@ -40,8 +54,9 @@ class Binder {
   Scene scene_;
   std::string mesh_name_;
   Neighbours neighbours_;
-  std::vector<bool> in_region_;  // #V of the surface
-  std::vector<int> leader_;      // #V, the handle that leads a vertex, or nobody
+  std::vector<bool> in_region_;          // #V of the surface
+  std::vector<int> leader_;              // #V, the handle that leads a vertex, or nobody
+  std::vector<std::vector<int>> rigid_;  // vertices of each region of the shot
   std::vector<Diagnostic> errors_;
 };
 
@@ -58,20 +73,29 @@ Scene Binder::bind() {
   const Selector selector(scene_.weld, mesh_name_);
   bind_region(selector);
   bind_handles(selector);
+  bind_regions(selector);
   refuse_shared_vertices();
   refuse_handles_outside();
+  refuse_regions_that_touch();
   if (errors_.empty()) place_loose_components();
   if (!errors_.empty()) throw TimelineError(shot_.file, std::move(errors_));
 
-  for (std::size_t h = 0; h < scene_.handles.size(); ++h)
+  for (std::size_t h = 0; h < scene_.handles.size(); ++h) {
+    scene_.constraints.strengths.push_back(scene_.handles[h].handle.weight);
     for (const int v : scene_.handles[h].vertices) {
       scene_.constraints.handles.push_back(v);
       scene_.constraints.owner.push_back(static_cast<int>(h));
     }
+  }
   for (int v = 0; v < scene_.weld.surface.vertex_count(); ++v) {
     if (!in_region_[index(v)]) continue;
     scene_.constraints.region.push_back(v);
-    if (leader_[index(v)] == nobody) ++scene_.free_vertices;
+    const int leader = leader_[index(v)];
+    if (leader == nobody || scene_.handles[index(leader)].handle.weight < 1) ++scene_.free_vertices;
+  }
+  for (std::vector<int>& region : rigid_) {
+    std::erase_if(region, [&](int v) { return !in_region_[index(v)]; });  // what rides, or is in no face
+    scene_.constraints.rigid.push_back(std::move(region));
   }
   scene_.region_vertices = static_cast<int>(scene_.constraints.region.size());
   return std::move(scene_);
@@ -101,8 +125,19 @@ void Binder::bind_handles(const Selector& selector) {
     }
 }
 
+void Binder::bind_regions(const Selector& selector) {
+  for (const RigidSelection& region : shot_.rigid) try {
+      rigid_.push_back(selector.select(region.select));
+    } catch (const SelectionError& error) {
+      rigid_.emplace_back();
+      fail(error.where(), fmt::format("rigid region '{}': {}", region.name, error.what()));
+    }
+  for (std::vector<int>& vertices : rigid_) std::sort(vertices.begin(), vertices.end());
+}
+
 void Binder::refuse_shared_vertices() {
-  std::vector<std::vector<int>> shared(scene_.handles.size(), std::vector<int>(scene_.handles.size(), 0));
+  std::vector<std::vector<std::size_t>> shared(scene_.handles.size(),
+                                               std::vector<std::size_t>(scene_.handles.size(), 0));
   for (std::size_t h = 0; h < scene_.handles.size(); ++h)
     for (const int v : scene_.handles[h].vertices) {
       int& leader = leader_[index(v)];
@@ -116,9 +151,9 @@ void Binder::refuse_shared_vertices() {
     for (std::size_t b = a + 1; b < scene_.handles.size(); ++b) {
       if (shared[a][b] == 0) continue;
       const Handle& second = scene_.handles[b].handle;
-      fail(second.where, fmt::format("handles '{}' and '{}' share {} {}; a vertex follows one handle only",
-                                     scene_.handles[a].handle.name, second.name, shared[a][b],
-                                     shared[a][b] == 1 ? "vertex" : "vertices"));
+      fail(second.where,
+           fmt::format("handles '{}' and '{}' share {}; a vertex follows one handle only",
+                       scene_.handles[a].handle.name, second.name, vertices_text(shared[a][b])));
     }
 }
 
@@ -132,8 +167,34 @@ void Binder::refuse_handles_outside() {
   }
 }
 
+/// A region moves by itself: no vertex of it may follow a handle or another region, or be held outside.
+void Binder::refuse_regions_that_touch() {
+  for (std::size_t r = 0; r < rigid_.size(); ++r) {
+    const RigidSelection& region = shot_.rigid[r];
+    const auto outside =
+        std::count_if(rigid_[r].begin(), rigid_[r].end(), [&](int v) { return !in_region_[index(v)]; });
+    if (outside > 0)
+      fail(region.where, fmt::format("{} of the {} vertices of rigid region '{}' lie outside the roi",
+                                     outside, rigid_[r].size(), region.name));
+    for (const SceneHandle& bound : scene_.handles) {
+      if (const std::size_t count = shared(rigid_[r], bound.vertices); count > 0)
+        fail(region.where,
+             fmt::format("rigid region '{}' and handle '{}' share {}; a region moves by itself, "
+                         "so leave the handle's vertices out of it",
+                         region.name, bound.handle.name, vertices_text(count)));
+    }
+    for (std::size_t other = 0; other < r; ++other) {
+      if (const std::size_t count = shared(rigid_[other], rigid_[r]); count > 0)
+        fail(region.where,
+             fmt::format("rigid regions '{}' and '{}' share {}; one region that holds both moves as one body",
+                         shot_.rigid[other].name, region.name, vertices_text(count)));
+    }
+  }
+}
+
 void Binder::place_loose_components() {
-  const Components components = find_components(scene_.weld.surface);
+  const Components parts = find_components(scene_.weld.surface);
+  const Components components = join_components(parts, rigid_);
   std::vector<std::vector<int>> vertices(index(components.count));
   std::vector<bool> held(index(components.count), false);
   for (int v = 0; v < scene_.weld.surface.vertex_count(); ++v) {
@@ -154,7 +215,7 @@ void Binder::place_loose_components() {
            fmt::format(
                "component {} of {} ({} vertices) is touched by no handle or anchor; lead it with a handle, "
                "or write 'loose: attach' or 'loose: hold'",
-               c, mesh_name_, vertices[index(c)].size()));
+               parts.of_vertex[index(vertices[index(c)].front())], mesh_name_, vertices[index(c)].size()));
   }
   if (shot_.mesh.loose != MeshSource::Loose::attach) return;
   for (int c = 0; c < components.count; ++c)

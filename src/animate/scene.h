@@ -34,8 +34,8 @@ struct Scene {
 };
 
 /// Resolves the shot on its mesh. Throws TimelineError with everything that does not fit: selections that
-/// take nothing, handles that share a vertex or lie outside the region, loose components under `loose:
-/// error`.
+/// take nothing, handles or rigid regions that share a vertex or lie outside the region, loose components
+/// under `loose: error`.
 Scene bind_shot(const Shot& shot, const Mesh& mesh);
 
 }  // namespace flexkey

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "flexkey/deform/soft.h"
 #include "flexkey/deform/vertex_areas.h"
 
 namespace flexkey {
@@ -14,17 +15,45 @@ namespace {
 constexpr int most_iterations = 1'000'000;
 constexpr double no_area = 1e-12;  // share of a component's squared extent
 
-std::vector<int> component_at(int seed, const Cells& cells, std::vector<bool>& seen) {
-  std::vector<int> component{seed};
-  seen[seed] = true;
-  for (std::size_t at = 0; at < component.size(); ++at) {
-    for (const auto [j, weight] : cells.of(component[at])) {
-      if (!seen[j]) component.push_back(j);
-      seen[j] = true;
+/// Finds the vertices that edges and rigid regions join.
+class Search {
+ public:
+  Search(const Cells& cells, const std::vector<std::vector<int>>& rigid)
+      : cells_(cells), rigid_(rigid), body_(cells.count(), -1), seen_(cells.count(), false) {
+    for (std::size_t r = 0; r < rigid.size(); ++r) {
+      for (const int v : rigid[r]) body_[v] = static_cast<int>(r);
     }
   }
-  return component;
-}
+
+  bool has_seen(int v) const { return seen_[v]; }
+  std::vector<int> component_at(int seed) {
+    std::vector<int> component;
+    add(seed, component);
+    for (std::size_t at = 0; at < component.size(); ++at) {
+      const int v = component[at];
+      for (const auto [j, weight] : cells_.of(v)) add(j, component);
+      if (body_[v] >= 0) add_region(body_[v], component);
+    }
+    return component;
+  }
+
+ private:
+  void add(int v, std::vector<int>& component) {
+    if (!seen_[v]) component.push_back(v);
+    seen_[v] = true;
+  }
+  void add_region(int region, std::vector<int>& component) {
+    for (const int v : rigid_[region]) {
+      body_[v] = -1;  // once is enough
+      add(v, component);
+    }
+  }
+
+  const Cells& cells_;
+  const std::vector<std::vector<int>>& rigid_;
+  std::vector<int> body_;  // the region of each vertex that is still to be added, or -1
+  std::vector<bool> seen_;
+};
 
 std::string name_of(const std::vector<int>& component) {
   const auto first = *std::min_element(component.begin(), component.end());
@@ -36,6 +65,41 @@ void require_within(const std::vector<int>& vertices, int vertex_count, const ch
     if (v < 0 || v >= vertex_count) {
       throw DeformError(
           fmt::format("{} vertex {} is not one of the mesh's {} vertices", role, v, vertex_count));
+    }
+  }
+}
+
+void require_strengths(const Constraints& constraints) {
+  const auto count = static_cast<int>(constraints.strengths.size());
+  for (std::size_t k = 0; k < constraints.handles.size() && count > 0; ++k) {
+    const int handle = owner_of(constraints, k);
+    if (handle >= count) throw DeformError(fmt::format("handle {} has no strength", handle));
+  }
+  for (int handle = 0; handle < count; ++handle) {
+    const double strength = constraints.strengths[handle];
+    if (strength > 0 && strength <= 1) continue;
+    throw DeformError(
+        fmt::format("the strength of handle {} is {}; it must be above 0 and at most 1", handle, strength));
+  }
+}
+
+void require_regions(const std::vector<std::vector<int>>& rigid, const std::vector<bool>& held,
+                     const std::vector<bool>& inside) {
+  std::vector<int> body(held.size(), -1);
+  for (std::size_t r = 0; r < rigid.size(); ++r) {
+    require_within(rigid[r], static_cast<int>(held.size()), "rigid region");
+    for (const int v : rigid[r]) {
+      if (!inside[v]) {
+        throw DeformError(
+            fmt::format("vertex {} of rigid region {} lies outside the region of interest", v, r));
+      }
+      if (held[v]) throw DeformError(fmt::format("vertex {} is in rigid region {} and in a handle", v, r));
+      if (body[v] == static_cast<int>(r)) {
+        throw DeformError(fmt::format("vertex {} is given twice in rigid region {}", v, r));
+      }
+      if (body[v] >= 0)
+        throw DeformError(fmt::format("vertex {} is in rigid regions {} and {}", v, body[v], r));
+      body[v] = static_cast<int>(r);
     }
   }
 }
@@ -94,15 +158,18 @@ void require_sound(const Constraints& constraints, int vertex_count) {
   for (const int handle : constraints.owner) {
     if (handle < 0 || handle >= vertex_count) throw DeformError(fmt::format("there is no handle {}", handle));
   }
+  require_strengths(constraints);
+  require_regions(constraints.rigid, held, inside);
 }
 
-void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>& is_free) {
+void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>& is_loose,
+                  const std::vector<std::vector<int>>& rigid) {
   const Eigen::VectorXd areas = vertex_areas(rest);
-  std::vector<bool> seen(is_free.size(), false);
+  Search search(cells, rigid);
   for (int v = 0; v < cells.count(); ++v) {
-    if (!is_free[v] || seen[v]) continue;
-    const std::vector<int> component = component_at(v, cells, seen);
-    const bool held = !std::all_of(component.begin(), component.end(), [&](int i) { return is_free[i]; });
+    if (!is_loose[v] || search.has_seen(v)) continue;
+    const std::vector<int> component = search.component_at(v);
+    const bool held = !std::all_of(component.begin(), component.end(), [&](int i) { return is_loose[i]; });
     if (!held) throw DeformError(name_of(component) + " touches no handle or anchor");
     const double extent = bounds_of(rest.positions(component, Eigen::all)).diagonal();
     if (areas(component).sum() <= no_area * extent * extent)

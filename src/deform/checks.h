@@ -12,8 +12,10 @@ void require_sound(const DeformOptions& options);
 void require_sound(const Mesh& rest);
 void require_sound(const Constraints& constraints, int vertex_count);
 
-/// That every component with an unknown has an area and touches a fixed vertex.
-void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>& is_free);
+/// That every component with a loose vertex has an area and touches one that is fixed or softly held.
+/// A rigid region makes one component of all that it touches.
+void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>& is_loose,
+                  const std::vector<std::vector<int>>& rigid);
 
 /// That a frame's values fit the surface: targets #handles x 3 and lambda #V in [0, 1], positions #V x 3, all
 /// finite, and a pose of #V vertices.

@@ -11,7 +11,7 @@ struct Course {
   Positions deviations{0, 3};      // #fitted x 3, by which the last frame turned beyond its handles' turns
   double recurrence = 0.9;         // the share of such deviations that comes again in the next frame
   double pace = 0;                 // ‖Δ targets‖ of the last frame
-  Anderson window;            // the last differences of iterates
+  Anderson window;                 // the last differences of iterates
   double unseen = 0;               // see Iterate
   Positions winding{0, 3};         // #fitted x 3, the rotation vectors of each cell's frames added up
   Positions handle_winding{0, 3};  // #handles x 3, likewise of the handles' turns

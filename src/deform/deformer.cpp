@@ -7,6 +7,7 @@
 #include "flexkey/deform/frame.h"
 #include "flexkey/deform/prediction.h"
 #include "flexkey/deform/rims.h"
+#include "flexkey/deform/soft.h"
 #include "flexkey/deform/vertex_areas.h"
 
 namespace flexkey {
@@ -17,7 +18,9 @@ namespace {
 std::vector<bool> free_vertices(const Constraints& constraints, const Cells& cells) {
   std::vector<bool> is_free(cells.count(), constraints.region.empty());
   for (const int v : constraints.region) is_free[v] = true;
-  for (const int v : constraints.handles) is_free[v] = false;
+  for (std::size_t k = 0; k < constraints.handles.size(); ++k) {
+    if (strength_of(constraints, owner_of(constraints, k)) == 1) is_free[constraints.handles[k]] = false;
+  }
   for (int v = 0; v < cells.count(); ++v) {
     if (cells.of(v).empty()) is_free[v] = false;
   }
@@ -31,9 +34,24 @@ bool answers(const Pose& pose, const Positions& targets, const Eigen::VectorXd& 
   return pose.converged && same_lambda && pose.targets.rows() == targets.rows() && pose.targets == targets;
 }
 
+/// #V, the rigid region that each vertex is in, or -1.
+std::vector<int> bodies(const Constraints& constraints, int vertex_count) {
+  std::vector<int> body(vertex_count, -1);
+  for (std::size_t r = 0; r < constraints.rigid.size(); ++r) {
+    for (const int v : constraints.rigid[r]) body[v] = static_cast<int>(r);
+  }
+  return body;
+}
+
+/// Without the softly held ones.
+std::vector<bool> loose_vertices(std::vector<bool> is_free, const Constraints& constraints) {
+  for (const int v : constraints.handles) is_free[v] = false;
+  return is_free;
+}
+
 /// Each handle vertex's place in the patch, or -1 where no equation reads it.
-std::vector<int> places_in(const Patch& patch, const std::vector<int>& handles, int mesh_vertex_count) {
-  std::vector<int> place(mesh_vertex_count, -1);
+std::vector<int> places_in(const Patch& patch, const std::vector<int>& handles, Eigen::Index vertex_count) {
+  std::vector<int> place(static_cast<std::size_t>(vertex_count), -1);
   for (int i = 0; i < patch.vertex_count(); ++i) place[patch.vertices[i]] = i;
   std::vector<int> places;
   for (const int v : handles) places.push_back(place[v]);
@@ -42,23 +60,28 @@ std::vector<int> places_in(const Patch& patch, const std::vector<int>& handles, 
 
 /// How each handle's turn spreads over the patch, #fitted x #handles.
 Eigen::MatrixXd turn_weights(const Mesh& rest, const Cells& cells, const Constraints& constraints,
-                             const Patch& patch, Weights weights) {
+                             const Problem& problem) {
   std::vector<int> owner(rest.vertex_count(), -1);
   int handle_count = 0;
   for (std::size_t k = 0; k < constraints.handles.size(); ++k) {
-    const int handle = constraints.owner.empty() ? 0 : constraints.owner[k];
+    const int handle = owner_of(constraints, k);
     owner[constraints.handles[k]] = handle;
     handle_count = std::max(handle_count, handle + 1);
   }
+  const Weights weights = problem.options.weights;
   const bool is_held = weights == Weights::clamped || weights == Weights::intrinsic_delaunay;
-  return harmonic_weights(is_held ? cells : build_cells(rest, Weights::clamped), patch, owner, handle_count);
+  return harmonic_weights(is_held ? cells : build_cells(rest, Weights::clamped), problem.patch, owner,
+                          handle_count, problem.ties);
 }
 
 Problem make_problem(const Mesh& rest, const Constraints& constraints, const DeformOptions& options) {
   const Cells cells = build_cells(rest, options.weights);
   const std::vector<bool> is_free = free_vertices(constraints, cells);
-  require_held(rest, cells, is_free);
+  require_held(rest, cells, loose_vertices(is_free, constraints), constraints.rigid);
   const Patch patch = make_patch(cells, rest.positions, is_free, options.system);
+  const std::vector<int> body = bodies(constraints, rest.vertex_count());
+  const std::vector<int> places = places_in(patch, constraints.handles, rest.vertex_count());
+  const Ties ties{soft_handles(constraints, places, patch.free), rigid_regions(body, patch)};
   CellTables tables = tabulate(patch);
   if (options.cell == Cell::spokes_and_rims) add_rims(build_triangles(rest, options.weights), patch, tables);
   Eigen::VectorXd rows_by_area;
@@ -66,10 +89,11 @@ Problem make_problem(const Mesh& rest, const Constraints& constraints, const Def
   Problem problem{options,
                   patch,
                   std::move(tables),
-                  LaplacianSystem(patch, options.system, rows_by_area),
+                  ties,
+                  LaplacianSystem(patch, options.system, ties, rows_by_area),
                   bounds_of(rest.positions).diagonal(),
                   {}};
-  if (options.predict) problem.harmonic = turn_weights(rest, cells, constraints, patch, options.weights);
+  if (options.predict) problem.harmonic = turn_weights(rest, cells, constraints, problem);
   return problem;
 }
 
@@ -117,7 +141,7 @@ Pose Deformer::pose_at(const Positions& positions) const {
   pose.targets = positions(handles, Eigen::all);
   pose.positions(handles, Eigen::all) = pose.targets;
   Iterate at = gather(problem.patch, pose);
-  local_step(problem.cells, problem.options, at.positions, at.transforms);
+  refit(problem, at);
   scatter(problem.patch, at, pose);
   pose.converged = false;
   pose.started = true;
@@ -151,8 +175,10 @@ std::vector<SolveReport> Deformer::solve(std::span<const Frame> frames, std::spa
     predictions.push_back(predict(problem, poses[k], targets));
     starts.push_back(start(problem, poses[k], predictions.back()));
     starts.back().lambda = lambda(problem.patch.vertices);
+    starts.back().soft = targets.positions(problem.system.springs().targets, Eigen::all);
     for (std::size_t h = 0; h < handles.size(); ++h)
-      if (handle_places[h] >= 0) starts.back().positions.row(handle_places[h]) = targets.positions.row(h);
+      if (handle_places[h] >= problem.patch.free)
+        starts.back().positions.row(handle_places[h]) = targets.positions.row(h);
   }
   std::vector<FixedPoint> found = iterate(problem, std::move(starts));
   for (std::size_t k = 0; k < frames.size(); ++k) {
@@ -161,8 +187,9 @@ std::vector<SolveReport> Deformer::solve(std::span<const Frame> frames, std::spa
   }
   for (std::size_t n = 0; n < places.size(); ++n) {
     Pose& pose = poses[places[n]];
-    finish(problem, frames[places[n]], predictions[n], found[n], pose);
-    pose.positions(handles, Eigen::all) = pose.targets;
+    pose.positions(handles, Eigen::all) = frames[places[n]].targets.positions;
+    finish(problem, frames[places[n]], predictions[n], found[n],
+           pose);  // the soft handles among what is free
     reports[places[n]] = found[n].report;
   }
   return reports;

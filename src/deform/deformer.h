@@ -14,10 +14,13 @@ namespace flexkey {
 
 /// Which vertices the solve may move and which it must meet. All indices are of the rest mesh.
 struct Constraints {
-  std::vector<int> handles;      // vertices whose positions are given, handles and anchors alike; no repeats
+  std::vector<int> handles;      // vertices whose targets are given, handles and anchors alike; no repeats
   std::vector<int> region = {};  // the region of interest; empty means the whole mesh
   std::vector<int> owner =
       {};  // #handles, which handle leads each vertex, from 0; empty: one handle leads all
+  std::vector<double> strengths =
+      {};  // a number a handle, in (0, 1]: below 1 it is soft and goes about that share of the way; empty: 1
+  std::vector<std::vector<int>> rigid = {};  // regions of free vertices that each move as one body
 };
 
 /// Where one frame's constraints go.

@@ -37,6 +37,7 @@ class Iteration {
   Positions reduced();
   /// Takes the solved step, free x 3.
   void take(Positions step);
+  const Transforms& transforms() const { return result_.at.transforms; }
   bool is_done() const { return done_; }
   FixedPoint finish() { return std::move(result_); }
 
@@ -51,13 +52,18 @@ class Iteration {
   FixedPoint result_;
   double least_stretch_;
   Positions rows_, step_, start_;
+  Positions were_;  // the vertices of rigid regions before they were placed
   GeometricTail tail_;
   bool done_ = false;
 };
 
 Positions Iteration::reduced() {
-  residual(problem_.cells, result_.at.positions, result_.at.transforms, result_.at.lambda, rows_);
+  Iterate& at = result_.at;
+  were_ = place(problem_.ties.rigid, at.transforms, at.positions);
+  residual(problem_.cells, at.positions, at.transforms, at.lambda, rows_);
   problem_.system.reduce(problem_.cells, rows_, step_);
+  const Springs& springs = problem_.system.springs();
+  if (!springs.vertices.empty()) pull(springs, at.soft - at.positions(springs.vertices, Eigen::all), step_);
   return std::move(step_);
 }
 
@@ -72,6 +78,7 @@ void Iteration::measure() {
 
 void Iteration::take(Positions step) {
   step_ = std::move(step);
+  take_back(problem_.ties.rigid, were_, result_.at.positions, step_);
   measure();
   const bool is_last = result_.report.solves >= result_.at.most_solves;
   if (!problem_.options.accelerate) {
@@ -95,12 +102,12 @@ void Iteration::take(Positions step) {
 
 void Iteration::move(const Positions& by) {
   result_.at.positions.topRows(problem_.patch.free) += by;
-  local_step(problem_.cells, problem_.options, result_.at.positions, result_.at.transforms);
+  refit(problem_, result_.at);
 }
 
 void Iteration::go(const Positions& to) {
   result_.at.positions.topRows(problem_.patch.free) = to;
-  local_step(problem_.cells, problem_.options, result_.at.positions, result_.at.transforms);
+  refit(problem_, result_.at);
 }
 
 /// As a share of the diagonal. A frame that stops at its first look shows the window no new direction, so
@@ -125,18 +132,31 @@ bool Iteration::settles(double estimate) {
 
 }  // namespace
 
+void refit(const Problem& problem, Iterate& at) {
+  const std::vector<RigidRegion>& regions = problem.ties.rigid;
+  std::vector<Eigen::Matrix3d> last;
+  for (const RigidRegion& region : regions) last.push_back(rotation_of(region, at.transforms));
+  local_step(problem.cells, problem.options, at.positions, at.transforms);
+  turn_as_one(regions, problem.cells, at.positions, last, at.transforms);
+}
+
 std::vector<FixedPoint> iterate(const Problem& problem, std::vector<Iterate> from) {
   std::vector<Iteration> iterations;
   for (Iterate& start : from) iterations.emplace_back(problem, std::move(start));
   Factor::Workspace workspace;
   std::vector<Positions> steps;
+  std::vector<const Transforms*> transforms;
   std::vector<Iteration*> running;
   for (Iteration& iteration : iterations)
     if (problem.patch.free > 0) running.push_back(&iteration);
   while (!running.empty()) {
     steps.clear();
-    for (Iteration* iteration : running) steps.push_back(iteration->reduced());
-    problem.system.solve_in_place(steps, workspace);
+    transforms.clear();
+    for (Iteration* iteration : running) {
+      steps.push_back(iteration->reduced());
+      transforms.push_back(&iteration->transforms());
+    }
+    problem.system.solve_in_place(steps, transforms, workspace);
     for (std::size_t k = 0; k < running.size(); ++k) running[k]->take(std::move(steps[k]));
     std::erase_if(running, [](const Iteration* iteration) { return iteration->is_done(); });
   }

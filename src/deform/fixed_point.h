@@ -16,6 +16,7 @@ struct Problem {
   DeformOptions options;
   Patch patch;
   CellTables cells;
+  Ties ties;
   LaplacianSystem system;
   double diagonal = 0;       // of the rest mesh's bounding box
   Eigen::MatrixXd harmonic;  // #fitted x #handles, see harmonic_weights; empty without prediction
@@ -26,6 +27,7 @@ struct Iterate {
   Positions positions;     // #patch x 3, the fixed vertices already at their targets
   Transforms transforms;   // fitted to positions, or predicted for the frame
   Eigen::VectorXd lambda;  // #patch
+  Positions soft;          // #springs x 3, the frame's targets of the soft handles
   Anderson window;         // with what earlier frames left in it
   int most_solves = 0;
   double unseen = 0;  // what earlier frames were estimated to be off and no mixture has looked at since
@@ -35,6 +37,9 @@ struct FixedPoint {
   Iterate at;
   SolveReport report;
 };
+
+/// The local step: R_i and S_i of every fitted cell at the iterate's positions, R = T = Q in rigid regions.
+void refit(const Problem& problem, Iterate& at);
 
 /// Goes from each of `from` towards its fixed point of P -> solve(r(R(P), S(P)), c) in at most its
 /// most_solves global steps; those of all are solved in one pass, and the answers are those of single runs.

@@ -40,17 +40,35 @@ HarmonicSystem assemble(const Cells& clamped, const Patch& patch, const std::vec
   return system;
 }
 
+/// The springs draw to 1 for their own handle and to 0 for every other.
+void hold_softly(const std::vector<SoftHandle>& soft, HarmonicSystem& system) {
+  const Eigen::VectorXd stiffness = soft_stiffness(system.L_ff, soft);
+  for (std::size_t h = 0; h < soft.size(); ++h) {
+    for (const int v : soft[h].vertices) {
+      system.L_ff.coeffRef(v, v) += stiffness(static_cast<Eigen::Index>(h));
+      system.b(v, soft[h].handle) += stiffness(static_cast<Eigen::Index>(h));
+    }
+  }
+}
+
 }  // namespace
 
 Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const std::vector<int>& owner,
-                                 int handle_count) {
+                                 int handle_count, const Ties& ties) {
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(patch.fitted, handle_count);
   for (int i = patch.free; i < patch.fitted; ++i) {
     const int handle = owner[patch.vertices[i]];
     if (handle >= 0) weights(i, handle) = 1;
   }
-  const HarmonicSystem system = assemble(clamped, patch, owner, handle_count);
-  weights.topRows(patch.free) = Factor(system.L_ff).solve(system.b);
+  HarmonicSystem system = assemble(clamped, patch, owner, handle_count);
+  hold_softly(ties.soft, system);
+  if (ties.rigid.empty()) {
+    weights.topRows(patch.free) = Factor(system.L_ff).solve(system.b);
+  } else {
+    const Eigen::SparseMatrix<double> C = summing_matrix(ties.rigid, patch.free);
+    const Eigen::MatrixXd b = C.transpose() * system.b;
+    weights.topRows(patch.free) = C * Factor(C.transpose() * system.L_ff * C).solve(b);
+  }
   return weights;
 }
 

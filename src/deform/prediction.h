@@ -5,15 +5,18 @@
 
 #include "flexkey/deform/local_step.h"
 #include "flexkey/deform/patch.h"
+#include "flexkey/deform/ties.h"
 #include "flexkey/deform/weights.h"
 
 namespace flexkey {
 
 /// How much of each handle's motion reaches a cell: harmonic over the surface, 1 on the handle and 0 on every
-/// other fixed vertex, by the clamped L_ff. #fitted x #handles, a column a handle.
-/// clamped: the surface's cells. owner: #V, the handle that leads a vertex, or -1.
+/// other fixed vertex, by the clamped L_ff with a spring to every vertex of a soft handle, so that the
+/// weights of all handles sum to 1 where nothing else holds the surface. A rigid region has one weight.
+/// #fitted x #handles, a column a handle. clamped: the surface's cells. owner: #V, the handle that leads a
+/// vertex, or -1.
 Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const std::vector<int>& owner,
-                                 int handle_count);
+                                 int handle_count, const Ties& ties = {});
 
 /// R_i turned by Q_i = exp(Σ_h w_h(i) θ_h), S_i kept. weights: #fitted x #handles. turns: #handles x 3, each
 /// handle's world rotation vector since the last frame, radians; whole turns count.

@@ -35,25 +35,31 @@ Matrix system_matrix(const Patch& patch, System system, const Eigen::VectorXd& r
 
 }  // namespace
 
-LaplacianSystem::LaplacianSystem(const Patch& patch, System system, const Eigen::VectorXd& row_weights)
-    : system_(system),
-      row_weights_(row_weights.head(std::min<Eigen::Index>(row_weights.size(), patch.rows))),
-      factor_(system_matrix(patch, system, row_weights)) {}
+LaplacianSystem::LaplacianSystem(const Patch& patch, System system, const Ties& ties,
+                                 const Eigen::VectorXd& row_weights)
+    : LaplacianSystem(system, system_matrix(patch, system, row_weights), ties) {
+  row_weights_ = row_weights.head(std::min<Eigen::Index>(row_weights.size(), patch.rows));
+}
+
+LaplacianSystem::LaplacianSystem(System system, const Matrix& N, const Ties& ties)
+    : system_(system), springs_(make_springs(N, ties.soft)), tied_(with_springs(N, springs_), ties.rigid) {}
 
 // Solving for the step instead of p′ has the same minimiser, and what the last step lost to rounding the next
 // one makes good.
-void LaplacianSystem::reduce(const CellTables& cells, Positions& rows, Positions& reduced) const {
+void LaplacianSystem::reduce(const CellTables& cells, Positions& rows, Positions& force) const {
   if (system_ == System::direct) {
-    reduced.swap(rows);
+    force.swap(rows);
     return;
   }
   if (row_weights_.size() > 0) rows.array().colwise() *= row_weights_.array();
   // L is symmetric and every neighbour of F is a row, so L_fᵀ is L itself on the rows of F.
-  free_laplacian(cells, rows, reduced);
+  free_laplacian(cells, rows, force);
 }
 
-void LaplacianSystem::solve_in_place(std::span<Positions> reduced, Factor::Workspace& workspace) const {
-  factor_.solve_in_place(reduced, workspace);
+void LaplacianSystem::solve_in_place(std::span<Positions> forces,
+                                     std::span<const Transforms* const> transforms,
+                                     Factor::Workspace& workspace) const {
+  tied_.solve_in_place(forces, transforms, workspace);
 }
 
 }  // namespace flexkey

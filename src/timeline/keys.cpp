@@ -16,7 +16,7 @@ constexpr KeySpec shot[] = {
     {"poses", "named poses of several handles", Built::ignored},
     {"roi", "selection outside which everything is held at rest; default the whole mesh"},
     {"handles", "what the timeline leads, by name"},
-    {"rigid", "selections that each move as one body, by name", Built::ignored},
+    {"rigid", "selections that each move as one body, by name"},
     {"attach", "vertices outside the solve that ride on a surface", Built::ignored},
     {"clips", "several named animations in one file", Built::ignored},
     {"lambda", "0 smooth to 1 rigid: a number, values by time, or keys with an easing; default 0.5"},
@@ -51,7 +51,7 @@ constexpr KeySpec handle[] = {
     {"delay", "time by which the motion starts later", Built::ignored},
     {"mirror", "another handle's motion, mirrored", Built::ignored},
     {"parent", "another handle whose motion this one inherits", Built::ignored},
-    {"weight", "in (0, 1]; below 1 the handle is soft", Built::ignored},
+    {"weight", "in (0, 1]; below 1 the handle is soft and goes about that share of the way; default 1"},
     {"active", "[from, to): free outside", Built::ignored},
     {"fade", "time over which an active handle takes hold", Built::ignored},
 };

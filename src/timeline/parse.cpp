@@ -14,6 +14,7 @@
 #include "flexkey/timeline/read_lambda.h"
 #include "flexkey/timeline/read_names.h"
 #include "flexkey/timeline/read_output.h"
+#include "flexkey/timeline/read_rigid.h"
 #include "flexkey/timeline/read_selection.h"
 #include "flexkey/timeline/read_solver.h"
 #include "flexkey/timeline/read_track.h"
@@ -83,6 +84,7 @@ Shot read_contents(const Fields& fields, Scope& scope) {
   if (const Node* node = require(fields, "handles", start, place, scope.findings)) {
     shot.handles = read_handles(*node, scope);
   }
+  if (const Node* node = fields.value("rigid")) shot.rigid = read_rigid(*node, scope);
   shot.lambda = {{0, default_lambda, {}}};
   if (const Node* node = fields.value("lambda")) shot.lambda = read_lambda(*node, scope);
   if (const Node* node = fields.value("solver")) shot.solver = read_solver(*node, scope);

@@ -10,6 +10,7 @@
 #include "flexkey/timeline/fields.h"
 #include "flexkey/timeline/read_motion.h"
 #include "flexkey/timeline/read_selection.h"
+#include "flexkey/timeline/scalar.h"
 #include "flexkey/timeline/vector.h"
 
 namespace flexkey {
@@ -52,6 +53,16 @@ void check_curve(const Entry& curve, const Selection& select, const std::string&
   }
 }
 
+double read_weight(const Node& node, Scope& scope) {
+  const double weight = read_number(node, scope).value_or(1);
+  if (weight > 0 && weight <= 1) return weight;
+  scope.findings.error(node.where,
+                       fmt::format("weight {} is outside 0..1 (above 0, a soft handle, to 1, which is met "
+                                   "exactly)",
+                                   node.text));
+  return 1;
+}
+
 std::optional<Handle> read_handle(const Entry& entry, Scope& scope) {
   const std::string place = fmt::format("handle '{}'", entry.key.text);
   const std::optional<Fields> fields = read_fields(entry.value, handle_keys, place, scope.findings);
@@ -69,6 +80,7 @@ std::optional<Handle> read_handle(const Entry& entry, Scope& scope) {
     handle.scale = read_scale(*node, motion_place("scale"), scope);
   if (const Node* node = fields->value("curve"))
     handle.curve = read_curve_track(*node, motion_place("curve"), scope);
+  if (const Node* node = fields->value("weight")) handle.weight = read_weight(*node, scope);
   check_exclusions(*fields, place, scope);
   const Node* select = require(*fields, "select", entry.key.where, place, scope.findings);
   if (select == nullptr) return std::nullopt;

@@ -22,10 +22,18 @@ struct Handle {
   Track<AxisAngle> rotate;    // with one axis for all keys, or an axis a key (then slerped)
   Track<Vec3> scale;          // factors along the world axes
   Track<Curve> curve;         // for a `path` selection; excludes every other motion
+  double weight = 1;          // in (0, 1]; below 1 the handle is soft
 
   bool is_anchor() const {
     return move.empty() && to.empty() && rotate.empty() && scale.empty() && curve.empty();
   }
+};
+
+/// Vertices that move as one body.
+struct RigidSelection {
+  std::string name;
+  Mark where;
+  Selection select;
 };
 
 /// What the `solver` key says, its preset already applied. The terms are those of the deformer.
@@ -77,6 +85,7 @@ struct Shot {
   double duration = 0;  // seconds; frames are k = 0 .. floor(duration * fps + 1e-6)
   std::optional<Selection> roi;
   std::vector<Handle> handles;
+  std::vector<RigidSelection> rigid;
   Track<double> lambda;  // never empty: a constant is one key
   SolverSettings solver;
   GltfOutput gltf;
