@@ -37,10 +37,22 @@ DeformOptions deform_options(const SolverSettings& solver) {
     case SolverSettings::Weights::cotangent:
       options.weights = Weights::cotangent;
       break;
+    case SolverSettings::Weights::intrinsic_delaunay:
+      options.weights = Weights::intrinsic_delaunay;
+      break;
     case SolverSettings::Weights::uniform:
       options.weights = Weights::uniform;
       break;
   }
+  switch (solver.cell) {
+    case SolverSettings::Cell::spokes:
+      options.cell = Cell::spokes;
+      break;
+    case SolverSettings::Cell::spokes_and_rims:
+      options.cell = Cell::spokes_and_rims;
+      break;
+  }
+  options.area_weighting = solver.area_weighting;
   options.epsilon = solver.epsilon;
   options.iterations = solver.iterations;
   options.tolerance = solver.tolerance;

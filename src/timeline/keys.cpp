@@ -134,13 +134,13 @@ constexpr KeySpec solver[] = {
     {"local_scale", "axis, uniform (default) or none"},
     {"epsilon", "0 or more; how far axis is drawn towards uniform; default 0.05"},
     {"weights", "clamped (default), cotangent, intrinsic-delaunay or uniform"},
-    {"cell", "spokes or spokes-and-rims", Built::ignored},
+    {"cell", "what rotations are fitted to: spokes (default) or spokes-and-rims"},
     {"iterations", "most global solves a frame, 1..100000; default 30"},
     {"tolerance", "share of the diagonal, or %; default 0.1%"},
     {"predict", "whether a frame starts from rotations predicted by the handles' turns: on (default) or off"},
     {"accelerate", "Anderson acceleration of the iterations: on (default) or off"},
     {"max_step", "largest turn of a handle in one solve, deg or rad, above 0, or off; default 30deg"},
-    {"area_weighting", "whether rows are weighted by vertex area", Built::ignored},
+    {"area_weighting", "whether least-squares rows count by vertex area: on or off (default)"},
 };
 
 constexpr KeySpec output[] = {

@@ -15,6 +15,7 @@ using Preset = SolverSettings::Preset;
 using System = SolverSettings::System;
 using LocalScale = SolverSettings::LocalScale;
 using Weights = SolverSettings::Weights;
+using Cell = SolverSettings::Cell;
 
 constexpr int most_iterations = 100'000;
 
@@ -36,9 +37,14 @@ std::optional<Weights> read_weights(const Node& node, Scope& scope) {
   return read_word<Weights>(node, "weights",
                             {{"clamped", Weights::clamped},
                              {"cotangent", Weights::cotangent},
-                             {"intrinsic-delaunay", std::nullopt},
+                             {"intrinsic-delaunay", Weights::intrinsic_delaunay},
                              {"uniform", Weights::uniform}},
                             scope);
+}
+
+std::optional<Cell> read_cell(const Node& node, Scope& scope) {
+  return read_word<Cell>(node, "cell", {{"spokes", Cell::spokes}, {"spokes-and-rims", Cell::spokes_and_rims}},
+                         scope);
 }
 
 std::optional<LocalScale> read_local_scale(const Node& node, Scope& scope) {
@@ -63,6 +69,20 @@ std::optional<double> read_max_step(const Node& node, Scope& scope) {
 Preset read_preset(const Node& node, Scope& scope) {
   return read_word<Preset>(node, "preset", {{"quality", Preset::quality}, {"paper", Preset::paper}}, scope)
       .value_or(Preset::quality);
+}
+
+/// Settings that each stand on their own but not together.
+void check_together(const SolverSettings& settings, const Fields& fields, Scope& scope) {
+  const Node* area_weighting = fields.value("area_weighting");
+  if (area_weighting != nullptr && settings.area_weighting && settings.system == System::direct) {
+    scope.findings.error(area_weighting->where,
+                         "area_weighting scales the rows of system least-squares; direct has none");
+  }
+  const Node* cell = fields.value("cell");
+  if (cell != nullptr && settings.cell == Cell::spokes_and_rims && settings.weights == Weights::uniform) {
+    scope.findings.error(cell->where,
+                         "cell spokes-and-rims takes cotangents for its weights; uniform ones are none");
+  }
 }
 
 }  // namespace
@@ -101,6 +121,12 @@ SolverSettings read_solver(const Node& node, Scope& scope) {
   if (const Node* value = fields->value("weights")) {
     settings.weights = read_weights(*value, scope).value_or(settings.weights);
   }
+  if (const Node* value = fields->value("cell")) {
+    settings.cell = read_cell(*value, scope).value_or(settings.cell);
+  }
+  if (const Node* value = fields->value("area_weighting")) {
+    settings.area_weighting = read_switch(*value, scope).value_or(settings.area_weighting);
+  }
   if (const Node* value = fields->value("iterations")) {
     settings.iterations = read_iterations(*value, scope).value_or(settings.iterations);
   }
@@ -116,6 +142,7 @@ SolverSettings read_solver(const Node& node, Scope& scope) {
   if (const Node* value = fields->value("max_step")) {
     settings.max_step = read_max_step(*value, scope).value_or(settings.max_step);
   }
+  check_together(settings, *fields, scope);
   return settings;
 }
 

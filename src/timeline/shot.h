@@ -41,12 +41,15 @@ struct SolverSettings {
   enum class Preset { quality, paper };
   enum class System { least_squares, direct };
   enum class LocalScale { axis, uniform, none };
-  enum class Weights { clamped, cotangent, uniform };
+  enum class Weights { clamped, cotangent, intrinsic_delaunay, uniform };
+  enum class Cell { spokes, spokes_and_rims };
   Preset preset = Preset::quality;
   System system = System::least_squares;
   LocalScale local_scale = LocalScale::uniform;
   double epsilon = 0.05;
   Weights weights = Weights::clamped;
+  Cell cell = Cell::spokes;
+  bool area_weighting = false;
   int iterations = 30;
   double tolerance = 1e-3;  // share of the diagonal
   bool predict = true;

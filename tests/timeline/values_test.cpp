@@ -197,6 +197,19 @@ TEST(Solver, PredictionAndAcceleration) {
   EXPECT_TRUE(std::isinf(parse(with_base("solver: {max_step: off}\n")).solver.max_step));
 }
 
+TEST(Solver, WeightsCellsAndRows) {
+  const SolverSettings usual = parse(with_base("")).solver;
+  EXPECT_EQ(usual.cell, SolverSettings::Cell::spokes);
+  EXPECT_FALSE(usual.area_weighting);
+  const SolverSettings solver = parse(with_base("solver: {weights: intrinsic-delaunay, cell: "
+                                                "spokes-and-rims, area_weighting: on, preset: paper}\n"))
+                                    .solver;
+  EXPECT_EQ(solver.weights, SolverSettings::Weights::intrinsic_delaunay);
+  EXPECT_EQ(solver.cell, SolverSettings::Cell::spokes_and_rims);
+  EXPECT_TRUE(solver.area_weighting);
+  EXPECT_FALSE(parse(with_base("solver: {area_weighting: off, system: direct}\n")).solver.area_weighting);
+}
+
 TEST(Solver, ExplicitKeysWinOverThePreset) {
   const SolverSettings solver =
       parse(with_base(

@@ -38,19 +38,12 @@ TEST(Warnings, EulerAnglesAreLeftOut) {
   EXPECT_TRUE(parse(text).handles.at(0).rotate.empty());
 }
 
-TEST(Warnings, OfMeshSolverAndLambda) {
+TEST(Warnings, OfMeshAndLambda) {
   const std::string text =
       "mesh: {file: a.obj, nodes: all, up: z}\nhandles: {base: {select: {group: a}}}\n"
-      "solver: {cell: spokes, area_weighting: on, "
-      "weights: intrinsic-delaunay}\n"
       "lambda: {keys: {0s: 1}, regions: [{value: 7}]}\n";
-  EXPECT_THAT(
-      warnings_of(text),
-      ElementsAre(ignored("1:21", "nodes"), ignored("1:33", "up"), ignored("3:10", "cell"),
-                  ignored("3:24", "area_weighting"),
-                  "shot.yaml:3:53: warning: weights 'intrinsic-delaunay' is not built yet and is ignored",
-                  ignored("4:25", "regions")));
-  EXPECT_EQ(parse(text).solver.weights, SolverSettings::Weights::clamped);
+  EXPECT_THAT(warnings_of(text),
+              ElementsAre(ignored("1:21", "nodes"), ignored("1:33", "up"), ignored("3:25", "regions")));
 }
 
 TEST(Warnings, OfOutputs) {
