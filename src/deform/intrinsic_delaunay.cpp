@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 #include "flexkey/deform/polygon_cut.h"
 
@@ -33,16 +33,19 @@ int previous(int side) {
 
 /// Glues the sides of edges that two triangles share, each the other way.
 void glue(Triangulation& t) {
-  const auto ends = [&t](int s) { return std::minmax(t.tails[s], t.tails[next(s)]); };
-  std::vector<int> by_edge(t.tails.size());
-  std::iota(by_edge.begin(), by_edge.end(), 0);
-  std::sort(by_edge.begin(), by_edge.end(), [&](int a, int b) {
-    return std::tuple(std::pair<int, int>(ends(a)), a) < std::tuple(std::pair<int, int>(ends(b)), b);
-  });
+  std::vector<std::array<int, 3>> by_edge;  // the ends, lower first, and the side
+  for (int s = 0; s < t.side_count(); ++s) {
+    const auto [low, high] = std::minmax(t.tails[s], t.tails[next(s)]);
+    by_edge.push_back({low, high, s});
+  }
+  std::sort(by_edge.begin(), by_edge.end());
+  const auto same_edge = [&](std::size_t i, std::size_t j) {
+    return by_edge[i][0] == by_edge[j][0] && by_edge[i][1] == by_edge[j][1];
+  };
   t.twins.assign(t.tails.size(), -1);
   for (std::size_t first = 0, end = 0; first < by_edge.size(); first = end) {
-    while (end < by_edge.size() && ends(by_edge[end]) == ends(by_edge[first])) ++end;
-    const int a = by_edge[first], b = by_edge[end - 1];
+    while (end < by_edge.size() && same_edge(first, end)) ++end;
+    const int a = by_edge[first][2], b = by_edge[end - 1][2];
     if (end - first != 2 || t.tails[a] == t.tails[b]) continue;
     t.twins[a] = b;
     t.twins[b] = a;

@@ -55,7 +55,8 @@ std::vector<std::array<int, 3>> cut_polygon(const Positions& positions, std::spa
   const auto keep = [&](const std::array<int, 3>& t) {
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
   };
-  if (face.size() < 3) return triangles;
+  if (face.size() == 3) keep({face[0], face[1], face[2]});
+  if (face.size() <= 3) return triangles;
   Remainder remainder(positions, face);
   while (remainder.corner_count() > 3) {
     const std::size_t ear = remainder.best_ear();

@@ -43,8 +43,8 @@ constexpr double cell_share = 2.0 / 3;
 
 void add_to_fit(const Corner& at, const Positions& rest, CellTables& tables) {
   const auto& [i, j, k, ij, jk, ki] = at;
-  const Vec3 e_ij = rest.row(i) - rest.row(j), e_jk = rest.row(j) - rest.row(k),
-             e_ki = rest.row(k) - rest.row(i);
+  const Vec3 e_ij = rest.row(i) - rest.row(j), e_jk = rest.row(j) - rest.row(k);
+  const Vec3 e_ki = rest.row(k) - rest.row(i);
   // e′_jk = (p′_i − p′_k) − (p′_i − p′_j) makes the rim part of both its ends.
   tables.edges.row(edge_row(tables, i, j)) += cell_share * (ij * e_ij - jk * e_jk);
   tables.edges.row(edge_row(tables, i, k)) += cell_share * (jk * e_jk - ki * e_ki);
