@@ -70,8 +70,10 @@ Eigen::MatrixXd turn_weights(const Mesh& rest, const Cells& cells, const Constra
   }
   const Weights weights = problem.options.weights;
   const bool is_held = weights == Weights::clamped || weights == Weights::intrinsic_delaunay;
+  const bool is_same_matrix = is_held && problem.options.system == System::direct;
   return harmonic_weights(is_held ? cells : build_cells(rest, Weights::clamped), problem.patch, owner,
-                          handle_count, problem.ties);
+                          handle_count, problem.ties,
+                          is_same_matrix ? problem.system.plain_factor() : nullptr);
 }
 
 Problem make_problem(const Mesh& rest, const Constraints& constraints, const DeformOptions& options) {

@@ -15,8 +15,10 @@ namespace {
 
 /// Steps this much smaller than the tolerance are its rounding noise, whose tail cannot be judged.
 constexpr double still = 1e-6;
-/// The slowest contraction to reckon with at λ = 1, as long as the window has not seen a slower one.
+/// κ to reckon with at the least, as one or two looks seldom show a window the slowest direction: that of a
+/// contraction by 0.98 λ, and this one for small λ.
 constexpr double slow = 0.98;
+constexpr double least_stretch = 15;
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 double greatest(const Eigen::VectorXd& lambda) {
@@ -29,7 +31,7 @@ class Iteration {
   Iteration(const Problem& problem, Iterate from)
       : problem_(problem),
         result_{std::move(from), {}},
-        least_stretch_(1 / (1 - slow * greatest(result_.at.lambda))) {
+        least_stretch_(std::max(least_stretch, 1 / (1 - slow * greatest(result_.at.lambda)))) {
     result_.at.window.turn_to_next_map();
   }
 

@@ -46,8 +46,8 @@ void refit(const Problem& problem, Iterate& at);
 /// An answer is always what a solve gave. It counts as converged when the estimated distance to the fixed
 /// point that plain iteration would reach is within the tolerance: with acceleration what the mixture still
 /// moves, and of what it cannot cancel κ times, κ = ‖ΔP‖/‖Δf‖ at its largest and no less than a contraction
-/// by 0.98 λ promises; without, the geometric series of the shrinking steps. Throws DeformError if positions
-/// leave the range of numbers.
+/// by 0.98 λ promises, nor than 15; without, the geometric series of the shrinking steps. Throws DeformError
+/// if positions leave the range of numbers.
 std::vector<FixedPoint> iterate(const Problem& problem, std::vector<Iterate> from);
 
 }  // namespace flexkey

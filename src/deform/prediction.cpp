@@ -11,31 +11,39 @@
 namespace flexkey {
 namespace {
 
-/// One right-hand side a handle: -L_fc 1_h, free x #handles; and L_ff.
+/// L_ff, and a right-hand side a handle.
 struct HarmonicSystem {
   Eigen::SparseMatrix<double> L_ff;
   Eigen::MatrixXd b;
 };
+
+/// -L_fc 1_h of each handle h, free x #handles.
+Eigen::MatrixXd handle_columns(const Cells& clamped, const Patch& patch, const std::vector<int>& owner,
+                               int handle_count) {
+  std::vector<bool> is_free(owner.size(), false);
+  for (int i = 0; i < patch.free; ++i) is_free[patch.vertices[i]] = true;
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(patch.free, handle_count);
+  for (int i = 0; i < patch.free; ++i)
+    for (const auto [j, weight] : clamped.of(patch.vertices[i]))
+      if (!is_free[j] && owner[j] >= 0) b(i, owner[j]) += weight;
+  return b;
+}
 
 HarmonicSystem assemble(const Cells& clamped, const Patch& patch, const std::vector<int>& owner,
                         int handle_count) {
   std::vector<int> place(owner.size(), -1);  // in F
   for (int i = 0; i < patch.free; ++i) place[patch.vertices[i]] = i;
   std::vector<Eigen::Triplet<double>> entries;
-  HarmonicSystem system{Eigen::SparseMatrix<double>(patch.free, patch.free),
-                        Eigen::MatrixXd::Zero(patch.free, handle_count)};
   for (int i = 0; i < patch.free; ++i) {
     double diagonal = 0;
     for (const auto [j, weight] : clamped.of(patch.vertices[i])) {
       diagonal += weight;
-      if (place[j] >= 0) {
-        entries.emplace_back(i, place[j], -weight);
-      } else if (owner[j] >= 0) {
-        system.b(i, owner[j]) += weight;
-      }
+      if (place[j] >= 0) entries.emplace_back(i, place[j], -weight);
     }
     entries.emplace_back(i, i, diagonal);
   }
+  HarmonicSystem system{Eigen::SparseMatrix<double>(patch.free, patch.free),
+                        handle_columns(clamped, patch, owner, handle_count)};
   system.L_ff.setFromTriplets(entries.begin(), entries.end());
   return system;
 }
@@ -54,11 +62,15 @@ void hold_softly(const std::vector<SoftHandle>& soft, HarmonicSystem& system) {
 }  // namespace
 
 Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const std::vector<int>& owner,
-                                 int handle_count, const Ties& ties) {
+                                 int handle_count, const Ties& ties, const Factor* factor) {
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(patch.fitted, handle_count);
   for (int i = patch.free; i < patch.fitted; ++i) {
     const int handle = owner[patch.vertices[i]];
     if (handle >= 0) weights(i, handle) = 1;
+  }
+  if (factor) {
+    weights.topRows(patch.free) = factor->solve(handle_columns(clamped, patch, owner, handle_count));
+    return weights;
   }
   HarmonicSystem system = assemble(clamped, patch, owner, handle_count);
   hold_softly(ties.soft, system);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "flexkey/deform/factor.h"
 #include "flexkey/deform/local_step.h"
 #include "flexkey/deform/patch.h"
 #include "flexkey/deform/ties.h"
@@ -14,9 +15,9 @@ namespace flexkey {
 /// other fixed vertex, by the clamped L_ff with a spring to every vertex of a soft handle, so that the
 /// weights of all handles sum to 1 where nothing else holds the surface. A rigid region has one weight.
 /// #fitted x #handles, a column a handle. clamped: the surface's cells. owner: #V, the handle that leads a
-/// vertex, or -1.
+/// vertex, or -1. factor: of that L_ff, where it is there already.
 Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const std::vector<int>& owner,
-                                 int handle_count, const Ties& ties = {});
+                                 int handle_count, const Ties& ties = {}, const Factor* factor = nullptr);
 
 /// R_i turned by Q_i = exp(Σ_h w_h(i) θ_h), S_i kept. weights: #fitted x #handles. turns: #handles x 3, each
 /// handle's world rotation vector since the last frame, radians; whole turns count.

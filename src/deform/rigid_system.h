@@ -30,6 +30,9 @@ class RigidSystem {
   void solve_in_place(std::span<Positions> forces, std::span<const Transforms* const> transforms,
                       Factor::Workspace& workspace) const;
 
+  /// The factor of N; none with regions.
+  const Factor* plain_factor() const { return regions_.empty() ? &factor_ : nullptr; }
+
  private:
   using Matrix = Eigen::SparseMatrix<double>;
   Eigen::MatrixXd best_turns(const Eigen::MatrixXd& F, const Transforms& transforms) const;

@@ -44,6 +44,10 @@ LaplacianSystem::LaplacianSystem(const Patch& patch, System system, const Ties& 
 LaplacianSystem::LaplacianSystem(System system, const Matrix& N, const Ties& ties)
     : system_(system), springs_(make_springs(N, ties.soft)), tied_(with_springs(N, springs_), ties.rigid) {}
 
+const Factor* LaplacianSystem::plain_factor() const {
+  return springs_.vertices.empty() ? tied_.plain_factor() : nullptr;
+}
+
 // Solving for the step instead of p′ has the same minimiser, and what the last step lost to rounding the next
 // one makes good.
 void LaplacianSystem::reduce(const CellTables& cells, Positions& rows, Positions& force) const {

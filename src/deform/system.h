@@ -22,6 +22,9 @@ class LaplacianSystem {
   LaplacianSystem(const Patch& patch, System system, const Ties& ties = {},
                   const Eigen::VectorXd& row_weights = {});
 
+  /// The factor of N, or none where springs or rigid regions are in it.
+  const Factor* plain_factor() const;
+
   const Springs& springs() const { return springs_; }
 
   /// The force on the vertices of F that a step comes from, free x 3, without that of the springs. rows:
