@@ -1,5 +1,7 @@
 #include "flexkey/deform/deformer.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -164,36 +166,38 @@ std::vector<SolveReport> Deformer::solve(std::span<const Frame> frames, std::spa
   require_batch(frames.size(), poses.size());
   std::vector<SolveReport> reports(frames.size());
   std::vector<std::size_t> places;  // of those to solve
-  std::vector<Prediction> predictions;
-  std::vector<Iterate> starts;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const auto& [targets, lambda] = frames[k];
     require_targets(targets.positions, handles.size());
     require_turns(targets.turns, problem.harmonic.cols(), problem.options.predict);
     require_lambda(lambda, rest.rows());
     require_pose(poses[k], rest.rows());
-    if (answers(poses[k], targets.positions, lambda)) continue;
-    places.push_back(k);
-    predictions.push_back(predict(problem, poses[k], targets));
-    starts.push_back(start(problem, poses[k], predictions.back()));
-    starts.back().lambda = lambda(problem.patch.vertices);
-    starts.back().soft = targets.positions(problem.system.springs().targets, Eigen::all);
+    if (!answers(poses[k], targets.positions, lambda)) places.push_back(k);
+  }
+  std::vector<Prediction> predictions(places.size());
+  std::vector<Iterate> starts(places.size());
+  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t n) {
+    const auto& [targets, lambda] = frames[places[n]];
+    predictions[n] = predict(problem, poses[places[n]], targets);
+    Iterate& from = starts[n] = start(problem, poses[places[n]], predictions[n]);
+    from.lambda = lambda(problem.patch.vertices);
+    from.soft = targets.positions(problem.system.springs().targets, Eigen::all);
     for (std::size_t h = 0; h < handles.size(); ++h)
       if (handle_places[h] >= problem.patch.free)
-        starts.back().positions.row(handle_places[h]) = targets.positions.row(h);
-  }
+        from.positions.row(handle_places[h]) = targets.positions.row(h);
+  });
   std::vector<FixedPoint> found = iterate(problem, std::move(starts));
   for (std::size_t k = 0; k < frames.size(); ++k) {
     poses[k].started = true;
     reports[k] = {.converged = !problem.options.fixed_count, .slipped = poses[k].course.slipped};
   }
-  for (std::size_t n = 0; n < places.size(); ++n) {
+  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t n) {
     Pose& pose = poses[places[n]];
     pose.positions(handles, Eigen::all) = frames[places[n]].targets.positions;
     finish(problem, frames[places[n]], predictions[n], found[n],
            pose);  // the soft handles among what is free
     reports[places[n]] = found[n].report;
-  }
+  });
   return reports;
 }
 

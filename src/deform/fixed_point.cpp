@@ -1,6 +1,7 @@
 #include "flexkey/deform/fixed_point.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -152,14 +153,15 @@ std::vector<FixedPoint> iterate(const Problem& problem, std::vector<Iterate> fro
   for (Iteration& iteration : iterations)
     if (problem.patch.free > 0) running.push_back(&iteration);
   while (!running.empty()) {
-    steps.clear();
-    transforms.clear();
-    for (Iteration* iteration : running) {
-      steps.push_back(iteration->reduced());
-      transforms.push_back(&iteration->transforms());
-    }
+    steps.resize(running.size());
+    transforms.resize(running.size());
+    tbb::parallel_for(std::size_t{0}, running.size(), [&](std::size_t k) {
+      steps[k] = running[k]->reduced();
+      transforms[k] = &running[k]->transforms();
+    });
     problem.system.solve_in_place(steps, transforms, workspace);
-    for (std::size_t k = 0; k < running.size(); ++k) running[k]->take(std::move(steps[k]));
+    tbb::parallel_for(std::size_t{0}, running.size(),
+                      [&](std::size_t k) { running[k]->take(std::move(steps[k])); });
     std::erase_if(running, [](const Iteration* iteration) { return iteration->is_done(); });
   }
   std::vector<FixedPoint> found;
