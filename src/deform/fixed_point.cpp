@@ -19,7 +19,9 @@ constexpr double still = 1e-6;
 /// κ to reckon with at the least, as one or two looks seldom show a window the slowest direction: that of a
 /// contraction by 0.98 λ, and this one for small λ.
 constexpr double slow = 0.98;
-constexpr double least_stretch = 15;
+constexpr double least_stretch = 4;
+/// What a further look leaves of what earlier frames were off.
+constexpr double unpaid = 0.8;
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 double greatest(const Eigen::VectorXd& lambda) {
@@ -32,7 +34,8 @@ class Iteration {
   Iteration(const Problem& problem, Iterate from)
       : problem_(problem),
         result_{std::move(from), {}},
-        least_stretch_(std::max(least_stretch, 1 / (1 - slow * greatest(result_.at.lambda)))) {
+        least_stretch_(std::max(least_stretch, 1 / (1 - slow * greatest(result_.at.lambda)))),
+        carried_(result_.at.unseen) {
     result_.at.window.turn_to_next_map();
   }
 
@@ -57,6 +60,7 @@ class Iteration {
   Positions rows_, step_, start_;
   Positions were_;  // the vertices of rigid regions before they were placed
   GeometricTail tail_;
+  double carried_;  // of Iterate::unseen as it came
   bool done_ = false;
 };
 
@@ -113,15 +117,15 @@ void Iteration::go(const Positions& to) {
   refit(problem_, result_.at);
 }
 
-/// As a share of the diagonal. A frame that stops at its first look shows the window no new direction, so
-/// that what is wrong in all others goes on to the next frame: such estimates add up until there is a second
-/// look.
+/// As a share of the diagonal. A frame of one or two looks hardly moves along the slowest directions, so that
+/// what is wrong in them goes on to the next frame: estimates add up, and further looks pay them off.
 double Iteration::estimated_distance(const Mixture& mixed) {
   Iterate& at = result_.at;
   if (at.window.differences() == 0) return unknown;
   const double stretch = std::max(least_stretch_, at.window.stretch());
   const double estimate = (mixed.jump + stretch * mixed.left) / problem_.diagonal;
-  at.unseen = result_.report.solves > 2 ? estimate : at.unseen + estimate;
+  if (result_.report.solves > 2) carried_ *= unpaid;
+  at.unseen = carried_ + estimate;
   return at.unseen;
 }
 

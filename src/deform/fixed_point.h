@@ -30,7 +30,8 @@ struct Iterate {
   Positions soft;          // #springs x 3, the frame's targets of the soft handles
   Anderson window;         // with what earlier frames left in it
   int most_solves = 0;
-  double unseen = 0;  // what earlier frames were estimated to be off and no mixture has looked at since
+  double unseen =
+      0;  // what earlier frames were estimated to be off, as far as later looks have not paid it off
 };
 
 struct FixedPoint {
@@ -46,7 +47,8 @@ void refit(const Problem& problem, Iterate& at);
 /// An answer is always what a solve gave. It counts as converged when the estimated distance to the fixed
 /// point that plain iteration would reach is within the tolerance: with acceleration what the mixture still
 /// moves, and of what it cannot cancel κ times, κ = ‖ΔP‖/‖Δf‖ at its largest and no less than a contraction
-/// by 0.98 λ promises, nor than 15; without, the geometric series of the shrinking steps. Throws DeformError
+/// by 0.98 λ promises, nor than 4, and a part of what
+/// the frames before were off; without, the geometric series of the shrinking steps. Throws DeformError
 /// if positions leave the range of numbers.
 std::vector<FixedPoint> iterate(const Problem& problem, std::vector<Iterate> from);
 
