@@ -80,13 +80,14 @@ class Deformer {
 
   /// Moves `pose`, the frame before, to this frame's answer: a fixed point of one local and one global step.
   /// lambda: one value or #V values in [0, 1].
-  /// Throws DeformError, and leaves the pose as it was, if a value does not fit or the answer is not finite.
+  /// Throws DeformError if a value does not fit, and leaves the pose as it was, or if the answer is not
+  /// finite, and leaves the pose as it was but for its course's window.
   SolveReport solve(const Targets& targets, double lambda, Pose& pose) const;
   SolveReport solve(const Targets& targets, const Eigen::VectorXd& lambda, Pose& pose) const;
 
   /// The same for several frames of one constraint set at once, each with its own pose, in one pass over the
   /// factor a step: a sweep over λ costs little more than its slowest run. The answers are those of single
-  /// solves. frames, poses: equally many. If one throws, all poses are left as they were.
+  /// solves. frames, poses: equally many. Throws as single solves do.
   std::vector<SolveReport> solve(std::span<const Frame> frames, std::span<Pose> poses) const;
 
  private:

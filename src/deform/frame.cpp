@@ -1,5 +1,7 @@
 #include "flexkey/deform/frame.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -26,14 +28,23 @@ void wind(const Problem& problem, const Positions& turns, Course& course) {
   course.slipped = has_slipped(problem.patch.cells, course);
 }
 
+Transforms gather_transforms(const Patch& patch, const Pose& pose) {
+  Transforms transforms{std::vector<Eigen::Matrix3d>(patch.fitted), Positions(patch.fitted, 3)};
+  tbb::parallel_for(0, patch.fitted, [&](int i) {
+    transforms.rotations[i] = pose.rotations[patch.vertices[i]];
+    transforms.scales.row(i) = pose.scales.row(patch.vertices[i]);
+  });
+  return transforms;
+}
+
 }  // namespace
 
 Prediction predict(const Problem& problem, const Pose& pose, const Targets& targets) {
   Prediction prediction;
-  prediction.turned = gather(problem.patch, pose).transforms;
+  prediction.turned = gather_transforms(problem.patch, pose);
   if (!problem.options.predict) return prediction;
   if (targets.turns.rows() > 0)
-    prediction.turned = turned(prediction.turned, problem.harmonic, targets.turns);
+    prediction.turned = turned_further(std::move(prediction.turned), problem.harmonic * targets.turns);
   prediction.expected = Positions::Zero(problem.patch.fitted, 3);
   prediction.pace = (targets.positions - pose.targets).norm();
   if (pose.course.deviations.rows() > 0)
@@ -44,28 +55,28 @@ Prediction predict(const Problem& problem, const Pose& pose, const Targets& targ
 Iterate gather(const Patch& patch, const Pose& pose) {
   Iterate at;
   at.positions = pose.positions(patch.vertices, Eigen::all);
-  at.transforms.scales.resize(patch.fitted, 3);
-  for (int i = 0; i < patch.fitted; ++i) {
-    at.transforms.rotations.push_back(pose.rotations[patch.vertices[i]]);
-    at.transforms.scales.row(i) = pose.scales.row(patch.vertices[i]);
-  }
+  at.transforms = gather_transforms(patch, pose);
   return at;
 }
 
 void scatter(const Patch& patch, const Iterate& at, Pose& pose) {
-  for (int i = 0; i < patch.free; ++i) pose.positions.row(patch.vertices[i]) = at.positions.row(i);
-  for (int i = 0; i < patch.fitted; ++i) {
-    pose.rotations[patch.vertices[i]] = at.transforms.rotations[i];
-    pose.scales.row(patch.vertices[i]) = at.transforms.scales.row(i);
-  }
+  tbb::parallel_for(0, patch.fitted, [&](int i) {
+    const int v = patch.vertices[i];
+    if (i < patch.free) pose.positions.row(v) = at.positions.row(i);
+    pose.rotations[v] = at.transforms.rotations[i];
+    pose.scales.row(v) = at.transforms.scales.row(i);
+  });
 }
 
-Iterate start(const Problem& problem, const Pose& pose, const Prediction& prediction) {
+Iterate start(const Problem& problem, Pose& pose, const Prediction& prediction) {
   const DeformOptions& options = problem.options;
-  Iterate from = gather(problem.patch, pose);
-  if (options.predict)
-    from.transforms = turned_further(prediction.turned, pose.course.recurrence * prediction.expected);
-  from.window = pose.course.window;
+  Iterate from;
+  from.positions = pose.positions(problem.patch.vertices, Eigen::all);
+  from.transforms = prediction.turned;
+  if (options.predict && pose.course.deviations.rows() > 0)
+    from.transforms =
+        turned_further(std::move(from.transforms), pose.course.recurrence * prediction.expected);
+  from.window = std::exchange(pose.course.window, {});
   from.unseen = pose.course.unseen;
   // From rest, R = S = 1 makes the first solve the naive Laplacian one that the paper starts from.
   const int naive_start = options.fixed_count && !pose.started ? 1 : 0;

@@ -19,8 +19,8 @@ Prediction predict(const Problem& problem, const Pose& pose, const Targets& targ
 Iterate gather(const Patch& patch, const Pose& pose);
 void scatter(const Patch& patch, const Iterate& at, Pose& pose);
 
-/// Where the iteration of a frame starts, its targets and λ left to fill in.
-Iterate start(const Problem& problem, const Pose& pose, const Prediction& prediction);
+/// Where the iteration of a frame starts, its targets and λ left to fill in. The pose's window goes along.
+Iterate start(const Problem& problem, Pose& pose, const Prediction& prediction);
 
 /// Makes what was found the pose, and adds the frame to the course that leads there. The report learns of
 /// slip.

@@ -59,6 +59,17 @@ void hold_softly(const std::vector<SoftHandle>& soft, HarmonicSystem& system) {
   }
 }
 
+/// log Q; short turns, which nearly all are, by the first terms of its series.
+Vec3 rotation_vector(const Eigen::Matrix3d& Q) {
+  constexpr double is_short = 1e-4;  // sin²
+  const Vec3 a(Q(2, 1) - Q(1, 2), Q(0, 2) - Q(2, 0), Q(1, 0) - Q(0, 1));
+  const double sine_squared = a.squaredNorm() / 4;
+  if (sine_squared < is_short && Q.trace() > 0)
+    return a / 2 * (1 + sine_squared * (1.0 / 6 + sine_squared * (3.0 / 40)));
+  const Eigen::AngleAxisd turn(Q);
+  return turn.angle() * turn.axis();
+}
+
 }  // namespace
 
 Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const std::vector<int>& owner,
@@ -84,27 +95,24 @@ Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const
   return weights;
 }
 
-Transforms turned(const Transforms& last, const Eigen::MatrixXd& weights, const Positions& turns) {
-  return turned_further(last, weights * turns);
-}
-
 Positions deviations(const Transforms& found, const Transforms& predicted) {
   Positions vectors(static_cast<Eigen::Index>(found.rotations.size()), 3);
   tbb::parallel_for(std::size_t{0}, found.rotations.size(), [&](std::size_t i) {
-    const Eigen::AngleAxisd turn(found.rotations[i] * predicted.rotations[i].transpose());
-    vectors.row(static_cast<Eigen::Index>(i)) = turn.angle() * turn.axis().transpose();
+    const Eigen::Matrix3d turn = found.rotations[i] * predicted.rotations[i].transpose();
+    vectors.row(static_cast<Eigen::Index>(i)) = rotation_vector(turn).transpose();
   });
   return vectors;
 }
 
-Transforms turned_further(const Transforms& transforms, const Positions& vectors) {
-  Transforms result = transforms;
-  tbb::parallel_for(std::size_t{0}, result.rotations.size(), [&](std::size_t i) {
+Transforms turned_further(Transforms transforms, const Positions& vectors) {
+  tbb::parallel_for(std::size_t{0}, transforms.rotations.size(), [&](std::size_t i) {
     const Vec3 turn = vectors.row(static_cast<Eigen::Index>(i)).transpose();
     const double angle = turn.norm();
-    if (angle > 0) result.rotations[i] = Eigen::AngleAxisd(angle, turn / angle) * result.rotations[i];
+    if (angle == 0) return;
+    const Eigen::Matrix3d Q = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+    transforms.rotations[i] = Q * transforms.rotations[i].eval();
   });
-  return result;
+  return transforms;
 }
 
 double recurrence(const Positions& found, const Positions& expected) {

@@ -19,15 +19,12 @@ namespace flexkey {
 Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const std::vector<int>& owner,
                                  int handle_count, const Ties& ties = {}, const Factor* factor = nullptr);
 
-/// R_i turned by Q_i = exp(Σ_h w_h(i) θ_h), S_i kept. weights: #fitted x #handles. turns: #handles x 3, each
-/// handle's world rotation vector since the last frame, radians; whole turns count.
-Transforms turned(const Transforms& last, const Eigen::MatrixXd& weights, const Positions& turns);
-
 /// By how much R_i turned beyond a prediction, #fitted x 3: the rotation vectors of R_i found R_iᵀ predicted.
 Positions deviations(const Transforms& found, const Transforms& predicted);
 
-/// R_i turned further by its vector, S_i kept. vectors: #fitted x 3, world, radians.
-Transforms turned_further(const Transforms& transforms, const Positions& vectors);
+/// R_i turned further by exp of its vector, S_i kept. vectors: #fitted x 3, world, radians; Σ_h w_h(i) θ_h of
+/// the handles' rotation vectors since the last frame counts whole turns.
+Transforms turned_further(Transforms transforms, const Positions& vectors);
 
 /// What share of the expected deviations came, by least squares, within 0 .. most_recurrence. Less than all
 /// of it, as what is continued in full drifts: the slow directions of λ = 1 hardly pull a frame back.
