@@ -74,6 +74,19 @@ TEST_F(Animate, StrictExitsFourWhereAFrameDidNotConverge) {
   EXPECT_THAT(loose.errors, HasSubstr("of 25 frames did not converge (1, 2,"));
 }
 
+TEST_F(Animate, FramesThatLostATurnAreReported) {
+  write("shot.yaml", test::minimal_shot);
+  const ProgramResult result =
+      run({"animate", "shot.yaml", "--json", "--set", "handles.tip.rotate.keys={0s: 0deg, 1s: 540deg}"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("the surface lost a turn that its handles made"));
+  const json run_report = json::parse(result.output)["runs"][0];
+  ASSERT_FALSE(run_report["slipped"].empty());
+  EXPECT_EQ(run_report["slipped"].back(), 24);
+  EXPECT_EQ(run_report["frame_reports"][1]["slipped"], false);
+  EXPECT_EQ(run_report["frame_reports"][24]["slipped"], true);
+}
+
 TEST_F(Animate, PresetPaperClaimsNoConvergenceAndStrictDoesNotAsk) {
   write("shot.yaml", std::string(test::minimal_shot) + "solver: {preset: paper}\n");
   const ProgramResult result = run({"animate", "shot.yaml", "--strict"});
