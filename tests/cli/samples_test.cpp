@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::ProgramResult;
 using testing::HasSubstr;
+using testing::Not;
 
 const fs::path source = FLEXKEY_SOURCE;
 
@@ -33,6 +34,12 @@ TEST_F(Samples, EveryShotGivesAGlbThatTheValidatorAccepts) {
   if (!fs::exists(validate / "node_modules"))
     GTEST_SKIP() << "glTF-Validator is not installed: npm ci in " << validate;
   EXPECT_EQ(std::system(fmt::format("node '{}/validate.mjs'{}", validate.string(), files).c_str()), 0);
+}
+
+TEST_F(Samples, TheLongBarConvergesInEveryFrame) {
+  const ProgramResult result = run({"animate", (source / "timelines/twist.yaml").string(), "--strict"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors, Not(HasSubstr("slipped")));
 }
 
 TEST_F(Samples, EveryShotPassesCheckWithoutAWarning) {
