@@ -2,9 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "flexkey/animate/handle_states.h"
+#include "flexkey/animate/passage.h"
+#include "flexkey/timeline/sampling.h"
 
 namespace flexkey {
 namespace {
@@ -84,74 +85,89 @@ Positions file_positions(const Scene& scene, const Pose& pose) {
 /// A take on its way.
 struct Running {
   const Take& take;
-  Pose pose;
-  HandleStates before;
+  Passage passage;
+  std::optional<Passage> without_fading;  // while handles fade
   Clip clip;
 };
 
-/// One frame's way for the handles of a take, in as many equal parts as keep each turn within max_step.
-struct FrameWay {
-  HandleStates from, to;
-  Positions turns;
-  double lambda = 0;
-  int parts = 0;  // 0: the take is over
-
-  FrameWay(const Running& run, int frame)
-      : from(run.before),
-        to(sample_states(run.take.scene, frame / run.take.shot.fps)),
-        turns(turns_between(from, to)),
-        lambda(sample_lambda(run.take.shot.lambda, frame / run.take.shot.fps)) {
-    if (frame >= run.take.shot.frame_count()) return;
-    const double largest = turns.rows() > 0 ? turns.rowwise().norm().maxCoeff() : 0;
-    parts = std::max(1, static_cast<int>(std::ceil(largest / run.take.shot.solver.max_step - 1e-9)));
+/// The states with the targets of what fades drawn to where its vertices are without it.
+HandleStates faded(const Scene& scene, HandleStates states, const Pose& without_fading, double time) {
+  for (const int h : active_at(scene, time)) {
+    const SceneHandle& bound = scene.handles[static_cast<std::size_t>(h)];
+    const double grip = sample_grip(bound.handle, time);
+    if (grip == 1) continue;
+    const Positions free = without_fading.positions(bound.vertices, Eigen::all);
+    states.curves[static_cast<std::size_t>(h)] = free + grip * (targets_of(scene, states, h) - free);
   }
+  return states;
+}
 
-  Frame part(const Scene& scene, int number) const {
-    const bool is_last = number == parts;
-    const HandleStates at = is_last ? to : blend(from, to, static_cast<double>(number) / parts);
-    const auto count = scene.weld.surface.vertex_count();
-    return {{targets_of(scene, at), turns / parts}, Eigen::VectorXd::Constant(count, lambda)};
-  }
-};
+/// The next leg of a take; set: active_at or firm_at.
+Leg leg_of(const Take& take, const ActiveSet& active, double time) {
+  return {take.scene, active, sample_states(take.scene, time), sample_lambda(take.shot.lambda, time),
+          take.shot.solver.max_step};
+}
 
-/// Solves one frame of every take.
-std::vector<SolveReport> solve_frame(const Deformer& deformer, const std::vector<FrameWay>& ways,
-                                     std::vector<Running>& runs) {
-  std::vector<SolveReport> reports(runs.size());
-  for (int part = 1;; ++part) {
-    std::vector<Frame> frames;
-    std::vector<Pose> poses;
-    std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      if (part > ways[k].parts) continue;
-      frames.push_back(ways[k].part(runs[k].take.scene, part));
-      poses.push_back(std::move(runs[k].pose));
-      places.push_back(k);
+/// While some handles fade, a second passage runs without them, and they go to x + a (target − x), x where
+/// their vertices are on it and a of sample_grip.
+std::vector<SolveReport> advance_without_fading(const std::vector<Running*>& runs, int frame,
+                                                DeformerCache& cache) {
+  std::vector<Passage*> passages;
+  std::vector<Leg> legs;
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    Running& run = *runs[k];
+    const double time = frame / run.take.shot.fps;
+    const ActiveSet firm = firm_at(run.take.scene, time);
+    if (firm == active_at(run.take.scene, time)) {
+      run.without_fading.reset();
+      continue;
     }
-    if (places.empty()) return reports;
-    const std::vector<SolveReport> solved = deformer.solve(frames, poses);
-    for (std::size_t n = 0; n < places.size(); ++n) {
-      const int before = reports[places[n]].solves;
-      reports[places[n]] = solved[n];
-      reports[places[n]].solves += before;
-      runs[places[n]].pose = std::move(poses[n]);
-    }
+    if (!run.without_fading) run.without_fading = run.passage;
+    passages.push_back(&*run.without_fading);
+    legs.push_back(leg_of(run.take, firm, time));
+    places.push_back(k);
   }
+  const std::vector<SolveReport> solved = advance(passages, legs, cache);
+  std::vector<SolveReport> reports(runs.size(), {.converged = true});
+  for (std::size_t n = 0; n < places.size(); ++n) reports[places[n]] = solved[n];
+  return reports;
+}
+
+/// Solves one frame of every take. A report counts the solves of both passages.
+std::vector<SolveReport> solve_frame(const std::vector<Running*>& runs, int frame, DeformerCache& cache) {
+  const std::vector<SolveReport> aside = advance_without_fading(runs, frame, cache);
+  std::vector<Passage*> passages;
+  std::vector<Leg> legs;
+  for (Running* run : runs) {
+    const double time = frame / run->take.shot.fps;
+    passages.push_back(&run->passage);
+    legs.push_back(leg_of(run->take, active_at(run->take.scene, time), time));
+    if (run->without_fading)
+      legs.back().now = faded(run->take.scene, std::move(legs.back().now), run->without_fading->pose, time);
+  }
+  std::vector<SolveReport> reports = advance(passages, legs, cache);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    reports[k].solves += aside[k].solves;
+    reports[k].converged = reports[k].converged && aside[k].converged;
+  }
+  return reports;
 }
 
 void require_one_batch(std::span<const Take> takes) {
   const Constraints& first = takes.front().scene.constraints;
   for (const Take& take : takes) {
     const Constraints& other = take.scene.constraints;
-    if (other.handles != first.handles || other.region != first.region || other.owner != first.owner)
+    if (other.handles != first.handles || other.region != first.region || other.owner != first.owner ||
+        other.strengths != first.strengths || other.rigid != first.rigid)
       throw DeformError("shots that are solved together must have the same handles and region");
   }
 }
 
-std::vector<Running> start_all(std::span<const Take> takes, const Mesh& mesh, const Deformer& deformer) {
+std::vector<Running> start_all(std::span<const Take> takes, const Mesh& mesh, DeformerCache& cache) {
   std::vector<Running> runs;
   for (const Take& take : takes) {
-    runs.push_back({take, deformer.rest_pose(), rest_states(take.scene), {}});
+    runs.push_back({take, start_of(take.scene, cache), std::nullopt, {}});
     runs.back().clip.name = take.shot.name;
     runs.back().clip.mesh = mesh;
     runs.back().clip.fps = take.shot.fps;
@@ -177,31 +193,29 @@ std::vector<Clip> animate(std::span<const Take> takes, const Mesh& mesh, const s
   if (takes.empty()) return {};
   require_one_batch(takes);
   const Take& first = takes.front();
-  const Deformer deformer(first.scene.weld.surface, first.scene.constraints,
-                          deform_options(first.shot.solver));
-  std::vector<Running> runs = start_all(takes, mesh, deformer);
+  DeformerCache cache(first.scene, deform_options(first.shot.solver));
+  std::vector<Running> runs = start_all(takes, mesh, cache);
   const int last = last_frame(takes, wanted);
   for (int frame = 0; frame <= last; ++frame) {
     if (hooks.stop && hooks.stop()) break;
-    std::vector<FrameWay> ways;
-    for (const Running& run : runs) ways.emplace_back(run, frame);
-    const std::vector<SolveReport> solved = solve_frame(deformer, ways, runs);
+    std::vector<Running*> running;
+    for (Running& run : runs)
+      if (frame < run.take.shot.frame_count()) running.push_back(&run);
+    const std::vector<SolveReport> solved = solve_frame(running, frame, cache);
     const bool is_wanted = wanted.empty() || std::binary_search(wanted.begin(), wanted.end(), frame);
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      Running& run = runs[k];
-      if (ways[k].parts == 0) continue;
-      run.before = ways[k].to;
+    for (std::size_t k = 0; k < running.size(); ++k) {
+      Running& run = *running[k];
       const FrameReport report{frame,
-                               ways[k].lambda,
+                               sample_lambda(run.take.shot.lambda, frame / run.take.shot.fps),
                                solved[k].solves,
                                solved[k].estimate,
                                solved[k].converged,
                                solved[k].slipped};
       if (is_wanted) {
-        run.clip.frames.push_back(file_positions(run.take.scene, run.pose));
+        run.clip.frames.push_back(file_positions(run.take.scene, run.passage.pose));
         run.clip.reports.push_back(report);
       }
-      if (hooks.on_frame) hooks.on_frame(k, report);
+      if (hooks.on_frame) hooks.on_frame(static_cast<std::size_t>(&run - runs.data()), report);
     }
   }
   std::vector<Clip> clips;

@@ -70,7 +70,8 @@ HandleStates blend(const HandleStates& from, const HandleStates& to, double shar
     const HandleMotion &a = from.motions[h], &b = to.motions[h];
     between.motions[h] = {a.scale + share * (b.scale - a.scale), blend(a.rotation, b.rotation, share),
                           a.move + share * (b.move - a.move)};
-    between.curves[h] = from.curves[h] + share * (to.curves[h] - from.curves[h]);
+    if (from.curves[h].rows() == to.curves[h].rows())
+      between.curves[h] = from.curves[h] + share * (to.curves[h] - from.curves[h]);
   }
   return between;
 }
@@ -79,15 +80,20 @@ Positions targets_of(const Scene& scene, const HandleStates& states) {
   Positions targets(static_cast<Eigen::Index>(scene.constraints.handles.size()), 3);
   Eigen::Index row = 0;
   for (std::size_t h = 0; h < scene.handles.size(); ++h) {
-    const SceneHandle& bound = scene.handles[h];
-    if (bound.handle.curve.empty()) {
-      for (const auto& x : bound.rest.rowwise())
-        targets.row(row++) = states.motions[h].apply(x.transpose(), bound.pivot).transpose();
-    } else {
-      targets.middleRows(row, bound.rest.rows()) = states.curves[h];
-      row += bound.rest.rows();
-    }
+    const Positions where = targets_of(scene, states, static_cast<int>(h));
+    targets.middleRows(row, where.rows()) = where;
+    row += where.rows();
   }
+  return targets;
+}
+
+Positions targets_of(const Scene& scene, const HandleStates& states, int handle) {
+  const auto h = static_cast<std::size_t>(handle);
+  if (states.curves[h].rows() > 0) return states.curves[h];
+  const SceneHandle& bound = scene.handles[h];
+  Positions targets(bound.rest.rows(), 3);
+  for (Eigen::Index k = 0; k < targets.rows(); ++k)
+    targets.row(k) = states.motions[h].apply(bound.rest.row(k).transpose(), bound.pivot).transpose();
   return targets;
 }
 
@@ -95,7 +101,7 @@ Positions turns_between(const HandleStates& from, const HandleStates& to) {
   const std::size_t count = from.motions.size();
   Positions turns(static_cast<Eigen::Index>(count), 3);
   for (std::size_t h = 0; h < count; ++h) {
-    const bool is_curve = from.curves[h].rows() > 0;
+    const bool is_curve = from.curves[h].rows() > 0 && to.curves[h].rows() > 0;
     const Vec3 turn = is_curve ? turn_vector(from.curves[h], to.curves[h])
                                : turn_vector(from.motions[h].rotation, to.motions[h].rotation);
     turns.row(static_cast<Eigen::Index>(h)) = turn.transpose();

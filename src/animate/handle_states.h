@@ -9,8 +9,9 @@ namespace flexkey {
 
 /// Where all handles of a scene are at one time.
 struct HandleStates {
-  std::vector<HandleMotion> motions;  // #handles; unused for a `curve` handle
-  std::vector<Positions> curves;      // #handles, the vertices of a `curve` handle; else empty
+  std::vector<HandleMotion> motions;  // #handles; unused where the vertices are given
+  std::vector<Positions> curves;      // #handles, the vertices of a `curve` handle, or of one that is led
+                                      // vertex by vertex; else empty
 };
 
 /// All handles at rest, and as the timeline has them at a time (seconds).
@@ -23,6 +24,9 @@ HandleStates blend(const HandleStates& from, const HandleStates& to, double shar
 
 /// Where the vertices of Scene::constraints.handles go, #vertices x 3.
 Positions targets_of(const Scene& scene, const HandleStates& states);
+
+/// Of one handle, #vertices x 3.
+Positions targets_of(const Scene& scene, const HandleStates& states, int handle);
 
 /// Each handle's world rotation vector from one state to the next, #handles x 3, radians: from the keyed
 /// angles, whole turns counted; for a `curve` handle the rotation that best maps its vertices.

@@ -8,8 +8,10 @@
 #include <set>
 
 #include "flexkey/animate/join_components.h"
+#include "flexkey/animate/unheld.h"
 #include "flexkey/mesh/connectivity.h"
 #include "flexkey/mesh/select.h"
+#include "flexkey/timeline/sampling.h"
 
 namespace flexkey {
 namespace {
@@ -46,6 +48,7 @@ class Binder {
   void refuse_handles_outside();
   void place_loose_components();
   void attach(const std::vector<int>& vertices);
+  bool is_always_held(int v) const;
   void fail(Mark where, std::string message) {
     errors_.push_back({Diagnostic::Severity::error, where, std::move(message)});
   }
@@ -90,8 +93,7 @@ Scene Binder::bind() {
   for (int v = 0; v < scene_.weld.surface.vertex_count(); ++v) {
     if (!in_region_[index(v)]) continue;
     scene_.constraints.region.push_back(v);
-    const int leader = leader_[index(v)];
-    if (leader == nobody || scene_.handles[index(leader)].handle.weight < 1) ++scene_.free_vertices;
+    if (!is_always_held(v)) ++scene_.free_vertices;
   }
   for (std::vector<int>& region : rigid_) {
     std::erase_if(region, [&](int v) { return !in_region_[index(v)]; });  // what rides, or is in no face
@@ -99,6 +101,13 @@ Scene Binder::bind() {
   }
   scene_.region_vertices = static_cast<int>(scene_.constraints.region.size());
   return std::move(scene_);
+}
+
+/// Met exactly in every frame, as far as one handle sees to it.
+bool Binder::is_always_held(int v) const {
+  if (leader_[index(v)] == nobody) return false;
+  const Handle& leader = scene_.handles[index(leader_[index(v)])].handle;
+  return leader.weight == 1 && leader.active.empty();
 }
 
 void Binder::bind_region(const Selector& selector) {
@@ -136,24 +145,21 @@ void Binder::bind_regions(const Selector& selector) {
 }
 
 void Binder::refuse_shared_vertices() {
-  std::vector<std::vector<std::size_t>> shared(scene_.handles.size(),
-                                               std::vector<std::size_t>(scene_.handles.size(), 0));
-  for (std::size_t h = 0; h < scene_.handles.size(); ++h)
-    for (const int v : scene_.handles[h].vertices) {
-      int& leader = leader_[index(v)];
-      if (leader == nobody) {
-        leader = static_cast<int>(h);
-      } else {
-        ++shared[index(leader)][h];
-      }
+  std::vector<std::vector<int>> sorted;
+  for (std::size_t h = 0; h < scene_.handles.size(); ++h) {
+    sorted.push_back(scene_.handles[h].vertices);
+    std::sort(sorted.back().begin(), sorted.back().end());
+    for (const int v : sorted.back()) {
+      if (leader_[index(v)] == nobody) leader_[index(v)] = static_cast<int>(h);
     }
-  for (std::size_t a = 0; a < scene_.handles.size(); ++a)
-    for (std::size_t b = a + 1; b < scene_.handles.size(); ++b) {
-      if (shared[a][b] == 0) continue;
-      const Handle& second = scene_.handles[b].handle;
-      fail(second.where,
-           fmt::format("handles '{}' and '{}' share {}; a vertex follows one handle only",
-                       scene_.handles[a].handle.name, second.name, vertices_text(shared[a][b])));
+  }
+  for (std::size_t b = 0; b < scene_.handles.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a) {
+      const Handle &first = scene_.handles[a].handle, &second = scene_.handles[b].handle;
+      const std::size_t count = active_together(first, second) ? shared(sorted[a], sorted[b]) : 0;
+      if (count > 0)
+        fail(second.where, fmt::format("handles '{}' and '{}' share {}; a vertex follows one handle only",
+                                       first.name, second.name, vertices_text(count)));
     }
 }
 
@@ -217,6 +223,8 @@ void Binder::place_loose_components() {
                "or write 'loose: attach' or 'loose: hold'",
                parts.of_vertex[index(vertices[index(c)].front())], mesh_name_, vertices[index(c)].size()));
   }
+  for (Diagnostic& error : find_unheld(shot_, scene_, components, in_region_))
+    errors_.push_back(std::move(error));
   if (shot_.mesh.loose != MeshSource::Loose::attach) return;
   for (int c = 0; c < components.count; ++c)
     if (!held[index(c)]) attach(vertices[index(c)]);

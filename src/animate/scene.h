@@ -27,15 +27,16 @@ struct Rider {
 struct Scene {
   Weld weld;
   std::vector<SceneHandle> handles;
-  Constraints constraints;  // handles in the order of `handles`, vertex by vertex
+  Constraints constraints;  // of all handles, in the order of `handles`, vertex by vertex; handles that are
+                            // never active together may share vertices
   std::vector<Rider> riders;
   int region_vertices = 0;  // surface vertices in the region of interest
-  int free_vertices = 0;    // of them, those that the solve moves
+  int free_vertices = 0;    // of them, those that the solve ever moves
 };
 
 /// Resolves the shot on its mesh. Throws TimelineError with everything that does not fit: selections that
 /// take nothing, handles or rigid regions that share a vertex or lie outside the region, loose components
-/// under `loose: error`.
+/// under `loose: error`, a surface that nothing holds at some time.
 Scene bind_shot(const Shot& shot, const Mesh& mesh);
 
 }  // namespace flexkey

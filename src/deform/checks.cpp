@@ -162,6 +162,12 @@ void require_sound(const Constraints& constraints, int vertex_count) {
   require_regions(constraints.rigid, held, inside);
 }
 
+void require_order(const std::vector<int>& order, int vertex_count) {
+  if (order.empty() || order.size() == static_cast<std::size_t>(vertex_count)) return;
+  throw DeformError(
+      fmt::format("an order of {} vertices was given for a mesh of {}", order.size(), vertex_count));
+}
+
 void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>& is_loose,
                   const std::vector<std::vector<int>>& rigid) {
   const Eigen::VectorXd areas = vertex_areas(rest);

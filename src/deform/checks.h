@@ -12,6 +12,9 @@ void require_sound(const DeformOptions& options);
 void require_sound(const Mesh& rest);
 void require_sound(const Constraints& constraints, int vertex_count);
 
+/// order: none, or a number a vertex.
+void require_order(const std::vector<int>& order, int vertex_count);
+
 /// That every component with a loose vertex has an area and touches one that is fixed or softly held.
 /// A rigid region makes one component of all that it touches.
 void require_held(const Mesh& rest, const Cells& cells, const std::vector<bool>& is_loose,

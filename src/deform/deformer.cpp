@@ -78,14 +78,23 @@ Eigen::MatrixXd turn_weights(const Mesh& rest, const Cells& cells, const Constra
                           is_same_matrix ? problem.system.plain_factor() : nullptr);
 }
 
-Problem make_problem(const Mesh& rest, const Constraints& constraints, const DeformOptions& options) {
+/// The places of the vertices of F alone.
+std::vector<int> restricted(const std::vector<int>& order, const Patch& patch) {
+  std::vector<int> places;
+  for (int i = 0; i < patch.free && !order.empty(); ++i) places.push_back(order[patch.vertices[i]]);
+  return places;
+}
+
+Problem make_problem(const Mesh& rest, const Constraints& constraints, const DeformOptions& options,
+                     const std::vector<int>& order) {
   const Cells cells = build_cells(rest, options.weights);
   const std::vector<bool> is_free = free_vertices(constraints, cells);
   require_held(rest, cells, loose_vertices(is_free, constraints), constraints.rigid);
   const Patch patch = make_patch(cells, rest.positions, is_free, options.system);
   const std::vector<int> body = bodies(constraints, rest.vertex_count());
   const std::vector<int> places = places_in(patch, constraints.handles, rest.vertex_count());
-  const Ties ties{soft_handles(constraints, places, patch.free), rigid_regions(body, patch)};
+  const Ties ties{soft_handles(constraints, places, patch.free), rigid_regions(body, patch),
+                  restricted(order, patch)};
   CellTables tables = tabulate(patch);
   if (options.cell == Cell::spokes_and_rims) add_rims(build_triangles(rest, options.weights), patch, tables);
   Eigen::VectorXd rows_by_area;
@@ -110,11 +119,13 @@ struct Deformer::State {
   Problem problem;
 };
 
-Deformer::Deformer(const Mesh& rest, const Constraints& constraints, const DeformOptions& options) {
+Deformer::Deformer(const Mesh& rest, const Constraints& constraints, const DeformOptions& options,
+                   const std::vector<int>& order) {
   require_sound(options);
   require_sound(rest);
   require_sound(constraints, rest.vertex_count());
-  Problem problem = make_problem(rest, constraints, options);
+  require_order(order, rest.vertex_count());
+  Problem problem = make_problem(rest, constraints, options, order);
   std::vector<int> places = places_in(problem.patch, constraints.handles, rest.vertex_count());
   state_ = std::make_unique<State>(
       State{rest.positions, constraints.handles, std::move(places), std::move(problem)});
@@ -150,6 +161,32 @@ Pose Deformer::pose_at(const Positions& positions) const {
   pose.converged = false;
   pose.started = true;
   return pose;
+}
+
+Pose Deformer::adopt(const Pose& pose) const {
+  const Problem& problem = state_->problem;
+  require_pose(pose, state_->rest.rows());
+  Pose start = rest_pose();
+  start.positions = pose.positions;
+  start.rotations = pose.rotations;
+  start.scales = pose.scales;
+  start.targets = pose.positions(state_->handles, Eigen::all);
+  Iterate at = gather(problem.patch, start);
+  refit(problem, at);
+  scatter(problem.patch, at, start);
+  start.converged = false;
+  start.started = pose.started;
+  return start;
+}
+
+std::size_t Deformer::bytes() const {
+  const auto& [rest, handles, handle_places, problem] = *state_;
+  constexpr std::size_t edge =
+      sizeof(CellEdge) + sizeof(int) + 4 * sizeof(double);  // in Cells and CellTables
+  constexpr std::size_t number = sizeof(double);
+  const auto cells = static_cast<std::size_t>(problem.patch.fitted);
+  return problem.system.bytes() + edge * problem.patch.cells.edges.size() + 11 * number * cells +
+         number * static_cast<std::size_t>(problem.harmonic.size() + rest.size());
 }
 
 SolveReport Deformer::solve(const Targets& targets, double lambda, Pose& pose) const {
@@ -194,8 +231,8 @@ std::vector<SolveReport> Deformer::solve(std::span<const Frame> frames, std::spa
   tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t n) {
     Pose& pose = poses[places[n]];
     pose.positions(handles, Eigen::all) = frames[places[n]].targets.positions;
-    finish(problem, frames[places[n]], predictions[n], found[n],
-           pose);  // the soft handles among what is free
+    // The soft handles are among what is free.
+    finish(problem, frames[places[n]], predictions[n], found[n], pose);
     reports[places[n]] = found[n].report;
   });
   return reports;

@@ -68,7 +68,9 @@ class Deformer {
  public:
   /// Throws DeformError if an index or option is out of range, a handle lies outside the region, a free
   /// component touches no constraint or has no area, or the factorization fails.
-  Deformer(const Mesh& rest, const Constraints& constraints, const DeformOptions& options = {});
+  /// order: of elimination, as of surface_order, for a mesh whose constraints change; empty: one is found.
+  Deformer(const Mesh& rest, const Constraints& constraints, const DeformOptions& options = {},
+           const std::vector<int>& order = {});
   ~Deformer();
   Deformer(Deformer&&) noexcept;
   Deformer& operator=(Deformer&&) noexcept;
@@ -77,6 +79,13 @@ class Deformer {
 
   /// A start at these positions, #V x 3, with R_i and S_i fitted to them; what is fixed at rest stays there.
   Pose pose_at(const Positions& positions) const;
+
+  /// A pose of this mesh under other constraints as a start under these: its shape stays, with R_i and S_i
+  /// fitted to it here, and what it remembers of its handles is dropped.
+  Pose adopt(const Pose& pose) const;
+
+  /// Of memory held for the solve, but for small change.
+  std::size_t bytes() const;
 
   /// Moves `pose`, the frame before, to this frame's answer: a fixed point of one local and one global step.
   /// lambda: one value or #V values in [0, 1].

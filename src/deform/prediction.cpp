@@ -6,7 +6,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 
-#include "flexkey/deform/factor.h"
+#include "flexkey/deform/surface_order.h"
 
 namespace flexkey {
 namespace {
@@ -86,11 +86,12 @@ Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const
   HarmonicSystem system = assemble(clamped, patch, owner, handle_count);
   hold_softly(ties.soft, system);
   if (ties.rigid.empty()) {
-    weights.topRows(patch.free) = Factor(system.L_ff).solve(system.b);
+    weights.topRows(patch.free) = factor_in_order(system.L_ff, ties.places).solve(system.b);
   } else {
     const Eigen::SparseMatrix<double> C = summing_matrix(ties.rigid, patch.free);
     const Eigen::MatrixXd b = C.transpose() * system.b;
-    weights.topRows(patch.free) = C * Factor(C.transpose() * system.L_ff * C).solve(b);
+    const Eigen::SparseMatrix<double> reduced = C.transpose() * system.L_ff * C;
+    weights.topRows(patch.free) = C * factor_in_order(reduced, places_of_unknowns(C, ties.places)).solve(b);
   }
   return weights;
 }

@@ -1,5 +1,6 @@
 #include "flexkey/deform/rigid.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -59,6 +60,16 @@ Eigen::SparseMatrix<double> summing_matrix(const std::vector<RigidRegion>& regio
   Eigen::SparseMatrix<double> C(free, unknowns + static_cast<int>(regions.size()));
   C.setFromTriplets(entries.begin(), entries.end());
   return C;
+}
+
+std::vector<int> places_of_unknowns(const Eigen::SparseMatrix<double>& C, const std::vector<int>& places) {
+  std::vector<int> last;
+  for (int k = 0; k < C.outerSize() && !places.empty(); ++k) {
+    last.push_back(0);
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(C, k); entry; ++entry)
+      last.back() = std::max(last.back(), places[entry.row()]);
+  }
+  return last;
 }
 
 const Eigen::Matrix3d& rotation_of(const RigidRegion& region, const Transforms& transforms) {

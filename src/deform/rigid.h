@@ -23,6 +23,10 @@ std::vector<RigidRegion> rigid_regions(const std::vector<int>& body, const Patch
 /// regions as a whole are; free x #unknowns, 0 or 1.
 Eigen::SparseMatrix<double> summing_matrix(const std::vector<RigidRegion>& regions, int free);
 
+/// The place of each unknown, a column of C, in an order of elimination from those of the vertices of F. A
+/// region comes last of all that it touches, since its row is long. places: empty gives none.
+std::vector<int> places_of_unknowns(const Eigen::SparseMatrix<double>& C, const std::vector<int>& places);
+
 /// The rotation that the last local step or prediction gave to a region.
 const Eigen::Matrix3d& rotation_of(const RigidRegion& region, const Transforms& transforms);
 

@@ -1,8 +1,10 @@
 #include "flexkey/deform/rigid_system.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "flexkey/deform/rotation.h"
+#include "flexkey/deform/surface_order.h"
 
 namespace flexkey {
 namespace {
@@ -27,18 +29,30 @@ Matrix matrix_of_arms(const std::vector<RigidRegion>& regions, int free) {
   return A;
 }
 
+Factor factored(const Matrix& N, const Matrix& C, const std::vector<int>& places) {
+  if (C.cols() == 0) return factor_in_order(N, places);
+  return factor_in_order(C.transpose() * N * C, places_of_unknowns(C, places));
+}
+
 }  // namespace
 
-RigidSystem::RigidSystem(const Matrix& N, std::vector<RigidRegion> regions)
+RigidSystem::RigidSystem(const Matrix& N, std::vector<RigidRegion> regions, const std::vector<int>& places)
     : regions_(std::move(regions)),
-      C_(summing_matrix(regions_, static_cast<int>(N.rows()))),
-      A_(matrix_of_arms(regions_, static_cast<int>(N.rows()))),
-      factor_(regions_.empty() ? N : Matrix(C_.transpose() * N * C_)) {
+      C_(regions_.empty() ? Matrix() : summing_matrix(regions_, static_cast<int>(N.rows()))),
+      factor_(factored(N, C_, places)) {
   if (regions_.empty()) return;
+  A_ = matrix_of_arms(regions_, static_cast<int>(N.rows()));
   const Matrix NA = N * A_;
   const Eigen::MatrixXd coupling = Eigen::MatrixXd(C_.transpose() * NA);
   response_ = factor_.solve(coupling);
   stiffness_ = Eigen::MatrixXd(A_.transpose() * NA) - coupling.transpose() * response_;
+}
+
+std::size_t RigidSystem::bytes() const {
+  const Eigen::Index numbers = response_.size() + stiffness_.size();
+  const Eigen::Index entries = C_.nonZeros() + A_.nonZeros();
+  return factor_.bytes() + static_cast<std::size_t>(numbers) * sizeof(double) +
+         static_cast<std::size_t>(entries) * (sizeof(double) + sizeof(int));
 }
 
 Positions RigidSystem::step(const Positions& force, const Transforms& transforms) const {

@@ -19,8 +19,10 @@ namespace flexkey {
 /// moments.
 class RigidSystem {
  public:
-  /// N: free x free, positive definite. Without regions it is factored as it is. Throws DeformError.
-  RigidSystem(const Eigen::SparseMatrix<double>& N, std::vector<RigidRegion> regions);
+  /// N: free x free, positive definite. Without regions it is factored as it is. places: of each vertex of F
+  /// in an order of elimination; empty: one is found. Throws DeformError.
+  RigidSystem(const Eigen::SparseMatrix<double>& N, std::vector<RigidRegion> regions,
+              const std::vector<int>& places = {});
 
   /// The step of the vertices of F, free x 3, for the force f on them, free x 3. transforms: whose Q_k the
   /// regions are placed by.
@@ -33,12 +35,15 @@ class RigidSystem {
   /// The factor of N; none with regions.
   const Factor* plain_factor() const { return regions_.empty() ? &factor_ : nullptr; }
 
+  /// Of memory held.
+  std::size_t bytes() const;
+
  private:
   using Matrix = Eigen::SparseMatrix<double>;
   Eigen::MatrixXd best_turns(const Eigen::MatrixXd& F, const Transforms& transforms) const;
 
   std::vector<RigidRegion> regions_;
-  Matrix C_;                   // free x #unknowns
+  Matrix C_;                   // free x #unknowns; empty without regions, as what follows but the factor
   Matrix A_;                   // free x 3 #regions
   Factor factor_;              // of CᵀNC
   Eigen::MatrixXd response_;   // Y, #unknowns x 3 #regions

@@ -36,9 +36,12 @@ class LaplacianSystem {
   void solve_in_place(std::span<Positions> forces, std::span<const Transforms* const> transforms,
                       Factor::Workspace& workspace) const;
 
+  /// Of memory held.
+  std::size_t bytes() const { return tied_.bytes(); }
+
  private:
   using Matrix = Eigen::SparseMatrix<double>;
-  LaplacianSystem(System system, const Matrix& N, const Ties& ties);
+  LaplacianSystem(System system, Matrix&& N, const Ties& ties);
 
   System system_;
   Eigen::VectorXd row_weights_;  // rows, D's diagonal; empty: D = 1

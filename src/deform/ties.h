@@ -7,10 +7,12 @@
 
 namespace flexkey {
 
-/// What ties vertices of F to more than their neighbours. No vertex is tied twice.
+/// What ties vertices of F to more than their neighbours, no vertex twice, and the order in which to
+/// eliminate them.
 struct Ties {
   std::vector<SoftHandle> soft;
   std::vector<RigidRegion> rigid;
+  std::vector<int> places = {};  // of each vertex of F in an order with little fill; empty: one is found
 };
 
 }  // namespace flexkey

@@ -52,8 +52,8 @@ constexpr KeySpec handle[] = {
     {"mirror", "another handle's motion, mirrored", Built::ignored},
     {"parent", "another handle whose motion this one inherits", Built::ignored},
     {"weight", "in (0, 1]; below 1 the handle is soft and goes about that share of the way; default 1"},
-    {"active", "[from, to): free outside", Built::ignored},
-    {"fade", "time over which an active handle takes hold", Built::ignored},
+    {"active", "[from, to), or a list of such: the vertices are free outside; default always"},
+    {"fade", "time over which an active handle takes hold and lets go"},
 };
 
 constexpr KeySpec selection[] = {

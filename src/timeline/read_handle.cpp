@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "flexkey/timeline/fields.h"
+#include "flexkey/timeline/read_active.h"
 #include "flexkey/timeline/read_motion.h"
 #include "flexkey/timeline/read_selection.h"
 #include "flexkey/timeline/scalar.h"
@@ -81,6 +82,7 @@ std::optional<Handle> read_handle(const Entry& entry, Scope& scope) {
   if (const Node* node = fields->value("curve"))
     handle.curve = read_curve_track(*node, motion_place("curve"), scope);
   if (const Node* node = fields->value("weight")) handle.weight = read_weight(*node, scope);
+  read_activity(*fields, place, scope, handle);
   check_exclusions(*fields, place, scope);
   const Node* select = require(*fields, "select", entry.key.where, place, scope.findings);
   if (select == nullptr) return std::nullopt;

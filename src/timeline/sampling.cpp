@@ -59,6 +59,31 @@ double sample_lambda(const Track<double>& lambda, double time) {
   return std::clamp(interpolate<double>(lambda, time, at, slope), 0.0, 1.0);
 }
 
+bool is_active(const Handle& handle, double time) {
+  const auto holds = [&](const Interval& interval) { return interval.from <= time && time < interval.to; };
+  return handle.active.empty() || std::any_of(handle.active.begin(), handle.active.end(), holds);
+}
+
+bool active_together(const Handle& a, const Handle& b) {
+  if (a.active.empty() || b.active.empty()) return true;
+  return std::any_of(a.active.begin(), a.active.end(), [&](const Interval& one) {
+    return std::any_of(b.active.begin(), b.active.end(), [&](const Interval& other) {
+      return std::max(one.from, other.from) < std::min(one.to, other.to);
+    });
+  });
+}
+
+double sample_grip(const Handle& handle, double time) {
+  if (!is_active(handle, time)) return 0;
+  double share = 1;
+  for (const auto& [from, to] : handle.active) {
+    if (from > time || time >= to) continue;
+    const double from_an_end = std::min(time - from, to - time);
+    if (from_an_end < handle.fade) share = from_an_end / handle.fade;
+  }
+  return share * share * (3 - 2 * share);
+}
+
 HandleMotion sample_motion(const Handle& handle, const Vec3& pivot, double time) {
   HandleMotion motion;
   if (!handle.scale.empty()) motion.scale = sample_vector(handle.scale, time);

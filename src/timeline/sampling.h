@@ -17,6 +17,15 @@ struct HandleMotion {
 /// λ at a time, clamped to [0, 1].
 double sample_lambda(const Track<double>& lambda, double time);
 
+/// Whether a handle holds at a time.
+bool is_active(const Handle& handle, double time);
+
+/// Whether there is a time at which both hold.
+bool active_together(const Handle& a, const Handle& b);
+
+/// How firmly: 0 while it does not, 1 while it does, and in between within `fade` of an end, smoothstep.
+double sample_grip(const Handle& handle, double time);
+
 /// The motion of a handle about `pivot` (for `to`) at a time. Exact at the keys. The handle has no `curve`.
 HandleMotion sample_motion(const Handle& handle, const Vec3& pivot, double time);
 

@@ -11,18 +11,26 @@
 
 namespace flexkey {
 
+/// from <= t < to, seconds.
+struct Interval {
+  double from = 0;
+  double to = 0;
+};
+
 /// Vertices that the timeline leads; without any motion an anchor, held at rest.
 struct Handle {
   std::string name;
   Mark where;
   Selection select;
-  std::optional<Vec3> pivot;  // default: the centroid of its vertices at rest
-  Track<Vec3> move;           // offset from rest
-  Track<Vec3> to;             // where the pivot goes; excludes `move`
-  Track<AxisAngle> rotate;    // with one axis for all keys, or an axis a key (then slerped)
-  Track<Vec3> scale;          // factors along the world axes
-  Track<Curve> curve;         // for a `path` selection; excludes every other motion
-  double weight = 1;          // in (0, 1]; below 1 the handle is soft
+  std::optional<Vec3> pivot;     // default: the centroid of its vertices at rest
+  Track<Vec3> move;              // offset from rest
+  Track<Vec3> to;                // where the pivot goes; excludes `move`
+  Track<AxisAngle> rotate;       // with one axis for all keys, or an axis a key (then slerped)
+  Track<Vec3> scale;             // factors along the world axes
+  Track<Curve> curve;            // for a `path` selection; excludes every other motion
+  double weight = 1;             // in (0, 1]; below 1 the handle is soft
+  std::vector<Interval> active;  // when it holds, one after another; empty: always
+  double fade = 0;               // seconds, at both ends of each
 
   bool is_anchor() const {
     return move.empty() && to.empty() && rotate.empty() && scale.empty() && curve.empty();
