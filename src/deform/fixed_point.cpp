@@ -21,7 +21,7 @@ constexpr double still = 1e-6;
 constexpr double slow = 0.98;
 constexpr double least_stretch = 4;
 /// What a further look leaves of what earlier frames were off.
-constexpr double unpaid = 0.8;
+constexpr double unpaid = 0.7;
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 double greatest(const Eigen::VectorXd& lambda) {
