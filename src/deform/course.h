@@ -5,17 +5,21 @@
 
 namespace flexkey {
 
+/// Less than all of a deviation is expected to come again, as what is continued in full drifts: the slow
+/// directions of λ = 1 hardly pull a frame back.
+constexpr double most_recurrence = 0.9;
+
 /// How a pose came about, in patch numbering: what the next frame's start, its estimate and the detection of
 /// slip go by.
 struct Course {
-  Positions deviations{0, 3};      // #fitted x 3, by which the last frame turned beyond its handles' turns
-  double recurrence = 0.9;         // the share of such deviations that comes again in the next frame
-  double pace = 0;                 // ‖Δ targets‖ of the last frame
-  Anderson window;                 // the last differences of iterates
-  double unseen = 0;               // see Iterate
-  Positions winding{0, 3};         // #fitted x 3, the rotation vectors of each cell's frames added up
-  Positions handle_winding{0, 3};  // #handles x 3, likewise of the handles' turns
-  bool slipped = false;            // see has_slipped
+  Positions deviations{0, 3};  // #fitted x 3, by which the last frame turned beyond its handles' turns
+  double recurrence = most_recurrence;  // the share of such deviations that comes again in the next frame
+  double pace = 0;                      // ‖Δ targets‖ of the last frame
+  Anderson window;                      // the last differences of iterates
+  double unseen = 0;                    // see Iterate
+  Positions winding{0, 3};              // #fitted x 3, the rotation vectors of each cell's frames added up
+  Positions handle_winding{0, 3};       // #handles x 3, likewise of the handles' turns
+  bool slipped = false;                 // see has_slipped
 };
 
 }  // namespace flexkey

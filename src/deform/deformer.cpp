@@ -145,6 +145,19 @@ Pose Deformer::rest_pose() const {
   return pose;
 }
 
+namespace {
+
+/// The pose as a start: R_i and S_i fitted to its positions, and an answer to nothing yet.
+Pose fitted(const Problem& problem, Pose pose) {
+  Iterate at = gather(problem.patch, pose);
+  refit(problem, at);
+  scatter(problem.patch, at, pose);
+  pose.converged = false;
+  return pose;
+}
+
+}  // namespace
+
 Pose Deformer::pose_at(const Positions& positions) const {
   const auto& [rest, handles, handle_places, problem] = *state_;
   require_positions(positions, rest.rows());
@@ -155,28 +168,19 @@ Pose Deformer::pose_at(const Positions& positions) const {
   }
   pose.targets = positions(handles, Eigen::all);
   pose.positions(handles, Eigen::all) = pose.targets;
-  Iterate at = gather(problem.patch, pose);
-  refit(problem, at);
-  scatter(problem.patch, at, pose);
-  pose.converged = false;
   pose.started = true;
-  return pose;
+  return fitted(problem, std::move(pose));
 }
 
 Pose Deformer::adopt(const Pose& pose) const {
-  const Problem& problem = state_->problem;
   require_pose(pose, state_->rest.rows());
   Pose start = rest_pose();
   start.positions = pose.positions;
   start.rotations = pose.rotations;
   start.scales = pose.scales;
   start.targets = pose.positions(state_->handles, Eigen::all);
-  Iterate at = gather(problem.patch, start);
-  refit(problem, at);
-  scatter(problem.patch, at, start);
-  start.converged = false;
   start.started = pose.started;
-  return start;
+  return fitted(state_->problem, std::move(start));
 }
 
 std::size_t Deformer::bytes() const {

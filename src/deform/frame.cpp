@@ -17,14 +17,14 @@ double quickening(double pace, double pace_before) {
   return pace_before > 0 ? std::min(most, pace / pace_before) : 0;
 }
 
-void wind(const Problem& problem, const Positions& turns, Course& course) {
-  if (turns.rows() == 0) return;
+void wind(const Problem& problem, const Positions& handle_turns, const Positions& turns, Course& course) {
+  if (handle_turns.rows() == 0) return;
   if (course.winding.rows() == 0) {
-    course.winding = Positions::Zero(problem.patch.fitted, 3);
-    course.handle_winding = Positions::Zero(turns.rows(), 3);
+    course.winding = Positions::Zero(turns.rows(), 3);
+    course.handle_winding = Positions::Zero(handle_turns.rows(), 3);
   }
-  course.winding += problem.harmonic * turns + course.deviations;
-  course.handle_winding += turns;
+  course.winding += turns + course.deviations;
+  course.handle_winding += handle_turns;
   course.slipped = has_slipped(problem.patch.cells, course);
 }
 
@@ -43,8 +43,10 @@ Prediction predict(const Problem& problem, const Pose& pose, const Targets& targ
   Prediction prediction;
   prediction.turned = gather_transforms(problem.patch, pose);
   if (!problem.options.predict) return prediction;
-  if (targets.turns.rows() > 0)
-    prediction.turned = turned_further(std::move(prediction.turned), problem.harmonic * targets.turns);
+  if (targets.turns.rows() > 0) {
+    prediction.turns = problem.harmonic * targets.turns;
+    prediction.turned = turned_further(std::move(prediction.turned), prediction.turns);
+  }
   prediction.expected = Positions::Zero(problem.patch.fitted, 3);
   prediction.pace = (targets.positions - pose.targets).norm();
   if (pose.course.deviations.rows() > 0)
@@ -91,7 +93,7 @@ void finish(const Problem& problem, const Frame& frame, const Prediction& predic
     course.deviations = deviations(found.at.transforms, prediction.turned);
     course.recurrence = recurrence(course.deviations, prediction.expected);
     course.pace = prediction.pace;
-    wind(problem, frame.targets.turns, course);
+    wind(problem, frame.targets.turns, prediction.turns, course);
   }
   course.window = std::move(found.at.window);
   course.unseen = found.at.unseen;

@@ -9,6 +9,7 @@ namespace flexkey {
 struct Prediction {
   Transforms turned;         // by the handles' turns, spread over the surface
   Positions expected{0, 3};  // #fitted x 3, the deviations beyond it: those of the last frame, quickened
+  Positions turns{0, 3};     // #fitted x 3, the handles' turns spread over the surface; empty: none is known
   double pace = 0;           // ‖Δ targets‖
 };
 

@@ -26,10 +26,7 @@ Positions deviations(const Transforms& found, const Transforms& predicted);
 /// the handles' rotation vectors since the last frame counts whole turns.
 Transforms turned_further(Transforms transforms, const Positions& vectors);
 
-/// What share of the expected deviations came, by least squares, within 0 .. most_recurrence. Less than all
-/// of it, as what is continued in full drifts: the slow directions of λ = 1 hardly pull a frame back.
+/// What share of the expected deviations came, by least squares, within 0 .. most_recurrence.
 double recurrence(const Positions& found, const Positions& expected);
-
-constexpr double most_recurrence = 0.9;
 
 }  // namespace flexkey
