@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <cmath>
 
 #include "flexkey/deform/surface_order.h"
 
@@ -70,6 +71,24 @@ Vec3 rotation_vector(const Eigen::Matrix3d& Q) {
   return turn.angle() * turn.axis();
 }
 
+/// R turned further by exp [v], Rodrigues' formula; short turns by the first terms of its series.
+void turn_further(const Vec3& v, Eigen::Matrix3d& R) {
+  constexpr double is_short = 1e-2;  // radians²
+  const double x = v.squaredNorm();
+  // sin θ / θ and (1 − cos θ) / θ² of x = θ².
+  double a = 1 - x * (1.0 / 6 - x * (1.0 / 120 - x * (1.0 / 5040 - x * (1.0 / 362880))));
+  double b = 1.0 / 2 - x * (1.0 / 24 - x * (1.0 / 720 - x * (1.0 / 40320 - x * (1.0 / 3628800))));
+  if (x > is_short) {
+    const double angle = std::sqrt(x);
+    a = std::sin(angle) / angle;
+    b = (1 - std::cos(angle)) / x;
+  }
+  for (int c = 0; c < 3; ++c) {
+    const Vec3 across = v.cross(R.col(c));
+    R.col(c) += a * across + b * v.cross(across);
+  }
+}
+
 }  // namespace
 
 Eigen::MatrixXd harmonic_weights(const Cells& clamped, const Patch& patch, const std::vector<int>& owner,
@@ -107,11 +126,7 @@ Positions deviations(const Transforms& found, const Transforms& predicted) {
 
 Transforms turned_further(Transforms transforms, const Positions& vectors) {
   tbb::parallel_for(std::size_t{0}, transforms.rotations.size(), [&](std::size_t i) {
-    const Vec3 turn = vectors.row(static_cast<Eigen::Index>(i)).transpose();
-    const double angle = turn.norm();
-    if (angle == 0) return;
-    const Eigen::Matrix3d Q = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-    transforms.rotations[i] = Q * transforms.rotations[i].eval();
+    turn_further(vectors.row(static_cast<Eigen::Index>(i)), transforms.rotations[i]);
   });
   return transforms;
 }

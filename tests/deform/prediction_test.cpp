@@ -79,6 +79,17 @@ TEST(Prediction, ARigidMotionOfAllHandlesIsReachedInOneSolve) {
     }
 }
 
+TEST(Prediction, TurnsOfAnyLengthAreRotationsAboutTheirAxis) {
+  const Vec3 axis = Vec3(1, -2, 0.5).normalized();
+  const Eigen::Matrix3d before = Eigen::AngleAxisd(0.7, Vec3(0, 0.6, 0.8)).toRotationMatrix();
+  for (const double angle : {0.0, 1e-9, 1e-4, 0.05, 0.0999, 0.1001, 1.0, 3.2, 20.0}) {
+    const Transforms turned =
+        turned_further({{before}, Positions::Ones(1, 3)}, Positions(angle * axis.transpose()));
+    const Eigen::Matrix3d expected = Eigen::AngleAxisd(angle, axis) * before;
+    EXPECT_LT((turned.rotations[0] - expected).norm(), 2e-15) << angle;
+  }
+}
+
 TEST(Prediction, TheWeightsOfAllHandlesSumToOne) {
   const LongBar bar(2, 8);
   const Cells cells = build_cells(bar.mesh, Weights::clamped);
