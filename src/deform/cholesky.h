@@ -16,7 +16,8 @@ struct Cholesky {
 
 /// Factors a symmetric matrix, both triangles given, in this order of elimination but for a postorder of the
 /// elimination tree, which changes no fill and brings the columns of a subtree together. Nothing where a
-/// pivot is not positive. One of cholesky_*.cpp is built: CHOLMOD where it is installed, Eigen otherwise.
+/// pivot is not positive. By CHOLMOD (cholmod.cpp) where it is installed, by Eigen
+/// (cholesky_simplicial.cpp) otherwise.
 std::optional<Cholesky> cholesky(const Eigen::SparseMatrix<double>& matrix, const Permutation& order);
 
 /// The same by Eigen's simplicial LLᵀ, which is always there.

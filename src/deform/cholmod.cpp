@@ -3,8 +3,10 @@
 
 #include <memory>
 #include <new>
+#include <vector>
 
 #include "flexkey/deform/cholesky.h"
+#include "flexkey/deform/ordering.h"
 
 extern "C" {  // OpenBLAS has them in a header whose name is another in each distribution
 void openblas_set_num_threads(int);
@@ -37,6 +39,10 @@ class OneThread {
   int threads_ = openblas_get_num_threads();
 };
 
+/// Parts of L_ff up to this size minimum degree orders in a fifth of the time, for 5 % more fill in all. In
+/// L_fᵀ L_f it fills a fifth more, so that it is dissected all the way down.
+constexpr std::size_t least_dissected = 6000;  // vertices
+
 /// CHOLMOD's settings and work space.
 struct Session {
   OneThread one_thread;
@@ -50,7 +56,11 @@ struct Session {
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder = 1;
+    common.zrelax[0] = 0.5;  // fewer zeros in small supernodes than its 0.8: every frame reads them
     common.quick_return_if_not_posdef = 1;
+    common.current = 0;
+    common.method[0].nd_small = least_dissected;
+    common.method[0].nd_compress = 0;  // a surface has hardly two vertices with the same neighbours
   }
   ~Session() { cholmod_finish(&common); }
   Session(const Session&) = delete;
@@ -98,7 +108,33 @@ Supernodes packed(const cholmod_factor& factor) {
   return L;
 }
 
+/// Whether each vertex has few neighbours, as in L_ff; L_fᵀ L_f has three times as many.
+bool is_thin(const Matrix& symmetric) {
+  return symmetric.nonZeros() <= 12 * symmetric.cols();
+}
+
+void require_memory(const cholmod_common& common) {
+  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+}
+
 }  // namespace
+
+Permutation fill_reducing_order(const Matrix& symmetric) {
+  Session session;
+  cholmod_sparse view = upper_triangle(symmetric);
+  Permutation inverse(symmetric.cols());
+  inverse.setIdentity();  // which stays where there are no entries, a matrix that CHOLMOD refuses
+  int* eliminated = inverse.indices().data();
+  if (is_thin(symmetric)) {
+    std::vector<int> parts(2 * view.ncol);  // two results that nothing asks for
+    cholmod_nested_dissection(&view, nullptr, 0, eliminated, parts.data(), parts.data() + view.ncol,
+                              &session.common);
+  } else {
+    cholmod_metis(&view, nullptr, 0, 0, eliminated, &session.common);
+  }
+  require_memory(session.common);
+  return inverse.inverse();
+}
 
 std::optional<Cholesky> cholesky(const Matrix& matrix, const Permutation& order) {
   Session session;
@@ -107,9 +143,8 @@ std::optional<Cholesky> cholesky(const Matrix& matrix, const Permutation& order)
   const FactorPointer factor(cholmod_analyze_p(&view, eliminated.data(), nullptr, 0, &session.common),
                              FreeFactor{&session.common});
   if (factor != nullptr) cholmod_factorize(&view, factor.get(), &session.common);
-  const int status = session.common.status;
-  if (status == CHOLMOD_OUT_OF_MEMORY || status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
-  if (status != CHOLMOD_OK || factor->minor < factor->n) return std::nullopt;
+  require_memory(session.common);
+  if (session.common.status != CHOLMOD_OK || factor->minor < factor->n) return std::nullopt;
   const Eigen::Map<const Eigen::VectorXi> composed(static_cast<const int*>(factor->Perm), matrix.cols());
   return Cholesky{Permutation(composed).inverse(), packed(*factor)};
 }
