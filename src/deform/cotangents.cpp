@@ -51,6 +51,7 @@ std::vector<WeightedTriangle> cotangent_triangles(const Mesh& mesh, Weights weig
     }
     return triangles;
   }
+  triangles.reserve(static_cast<std::size_t>(mesh.face_count()));
   const Positions& p = mesh.positions;
   for (int f = 0; f < mesh.face_count(); ++f) {
     for (const auto& [corners, share] : fan_triangles(mesh.face(f))) {

@@ -22,6 +22,7 @@ std::vector<FanTriangle> fan_triangles(std::span<const int> face) {
   if (face.size() < 3) return triangles;
   std::vector<std::size_t> roots = fan_roots(face);
   if (face.size() == 3) roots.resize(1);  // every fan is the triangle itself
+  triangles.reserve(roots.size() * (face.size() - 2));
   for (const std::size_t root : roots) {
     for (std::size_t k = 1; k + 1 < face.size(); ++k) {
       const int a = face[root], b = face[(root + k) % face.size()], c = face[(root + k + 1) % face.size()];

@@ -11,19 +11,22 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// L_f: the columns of L that belong to F, on the patch's rows; rows x free.
+/// L_f: the columns of L that belong to F, on the patch's rows; rows x free. L is symmetric and every
+/// neighbour of F is a row or, in a direct system, fixed: a cell of F is a column.
 Matrix free_columns(const Patch& patch) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < patch.rows; ++i) {
-    double diagonal = 0;
-    for (const auto [j, weight] : patch.cells.of(i)) {
-      diagonal += weight;
-      if (j < patch.free) entries.emplace_back(i, j, -weight);
-    }
-    if (i < patch.free) entries.emplace_back(i, i, diagonal);
-  }
+  Eigen::VectorXi room(patch.free);
+  for (int j = 0; j < patch.free; ++j) room(j) = static_cast<int>(patch.cells.of(j).size()) + 1;
   Matrix columns(patch.rows, patch.free);
-  columns.setFromTriplets(entries.begin(), entries.end());
+  columns.reserve(room);
+  for (int j = 0; j < patch.free; ++j) {
+    double diagonal = 0;
+    for (const auto [i, weight] : patch.cells.of(j)) {
+      diagonal += weight;
+      if (i < patch.rows) columns.insert(i, j) = -weight;
+    }
+    columns.insert(j, j) = diagonal;
+  }
+  columns.makeCompressed();
   return columns;
 }
 

@@ -22,9 +22,18 @@ bool by_ends(const WeightedEdge& a, const WeightedEdge& b) {
   return std::tie(a.low, a.high) < std::tie(b.low, b.high);
 }
 
-/// One entry an edge, its weights summed.
-Edges merged(Edges edges) {
-  std::sort(edges.begin(), edges.end(), by_ends);
+/// Sorted by one of their ends, in linear time; where that is the same they keep their order.
+Edges sorted_by(int WeightedEdge::*end, const Edges& edges, int vertex_count) {
+  std::vector<int> places(vertex_count + 1, 0);
+  for (const WeightedEdge& edge : edges) ++places[edge.*end + 1];
+  for (int v = 0; v < vertex_count; ++v) places[v + 1] += places[v];
+  Edges sorted(edges.size());
+  for (const WeightedEdge& edge : edges) sorted[places[edge.*end]++] = edge;
+  return sorted;
+}
+
+/// One entry an edge, its weights summed. edges: sorted by (low, high).
+Edges summed(Edges edges) {
   std::size_t kept = 0;
   for (const WeightedEdge& edge : edges) {
     if (kept > 0 && edges[kept - 1].low == edge.low && edges[kept - 1].high == edge.high) {
@@ -37,6 +46,12 @@ Edges merged(Edges edges) {
   return edges;
 }
 
+/// The same of edges in any order.
+Edges merged(const Edges& edges, int vertex_count) {
+  const Edges by_high = sorted_by(&WeightedEdge::high, edges, vertex_count);
+  return summed(sorted_by(&WeightedEdge::low, by_high, vertex_count));
+}
+
 WeightedEdge edge_between(int i, int j, double weight) {
   return {std::min(i, j), std::max(i, j), weight};
 }
@@ -45,21 +60,23 @@ WeightedEdge opposite_edge(const WeightedTriangle& triangle, std::size_t k, doub
   return edge_between(triangle.corners[(k + 1) % 3], triangle.corners[(k + 2) % 3], weight);
 }
 
-Edges cotangent_edges(const std::vector<WeightedTriangle>& triangles) {
+Edges cotangent_edges(const std::vector<WeightedTriangle>& triangles, int vertex_count) {
   Edges edges;
+  edges.reserve(3 * triangles.size());
   for (const WeightedTriangle& triangle : triangles) {
     for (std::size_t k = 0; k < 3; ++k) edges.push_back(opposite_edge(triangle, k, triangle.weights[k]));
   }
-  return merged(std::move(edges));
+  return merged(edges, vertex_count);
 }
 
 /// In how many triangles each edge lies, by their shares.
-Edges edge_shares(const std::vector<WeightedTriangle>& triangles) {
+Edges edge_shares(const std::vector<WeightedTriangle>& triangles, int vertex_count) {
   Edges edges;
+  edges.reserve(3 * triangles.size());
   for (const WeightedTriangle& triangle : triangles) {
     for (std::size_t k = 0; k < 3; ++k) edges.push_back(opposite_edge(triangle, k, triangle.share));
   }
-  return merged(std::move(edges));
+  return merged(edges, vertex_count);
 }
 
 Edges uniform_edges(std::span<const int> face) {
@@ -74,7 +91,8 @@ Edges uniform_edges(std::span<const int> face) {
     }
   }
   std::erase_if(edges, [](const WeightedEdge& edge) { return edge.low == edge.high; });
-  return merged(std::move(edges));
+  std::sort(edges.begin(), edges.end(), by_ends);
+  return summed(std::move(edges));
 }
 
 /// Of all faces; a side of two of them is one edge of weight 1.
@@ -85,7 +103,7 @@ Edges uniform_edges(const Mesh& mesh) {
     const Edges of_face = uniform_edges(mesh.face(f));
     edges.insert(edges.end(), of_face.begin(), of_face.end());
   }
-  edges = merged(std::move(edges));
+  edges = merged(edges, mesh.vertex_count());
   for (WeightedEdge& edge : edges) edge.weight = std::min(edge.weight, 1.0);
   return edges;
 }
@@ -120,12 +138,14 @@ Cells cells_of(const Edges& edges, int vertex_count) {
 
 Cells build_cells(const Mesh& mesh, Weights weights) {
   if (weights == Weights::uniform) return cells_of(uniform_edges(mesh), mesh.vertex_count());
-  return cells_of(held(cotangent_edges(cotangent_triangles(mesh, weights)), weights), mesh.vertex_count());
+  const Edges edges = cotangent_edges(cotangent_triangles(mesh, weights), mesh.vertex_count());
+  return cells_of(held(edges, weights), mesh.vertex_count());
 }
 
 std::vector<WeightedTriangle> build_triangles(const Mesh& mesh, Weights weights) {
   std::vector<WeightedTriangle> triangles = cotangent_triangles(mesh, weights);
-  const Edges raw = cotangent_edges(triangles), shares = edge_shares(triangles), all = held(raw, weights);
+  const Edges raw = cotangent_edges(triangles, mesh.vertex_count()), all = held(raw, weights);
+  const Edges shares = edge_shares(triangles, mesh.vertex_count());
   for (WeightedTriangle& triangle : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto at =
