@@ -29,6 +29,8 @@ CellTables tabulate(const Patch& patch) {
   tables.fitted = patch.fitted;
   tables.offsets = patch.cells.offsets;
   tables.edges.resize(edge_count, 3);
+  tables.neighbours.reserve(patch.cells.edges.size());
+  tables.weights.reserve(patch.cells.edges.size());
   tables.moments = no_moments(patch.fitted);
   for (int i = 0; i < patch.fitted; ++i) {
     for (const auto [j, weight] : patch.cells.of(i)) {

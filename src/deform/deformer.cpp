@@ -90,20 +90,21 @@ Problem make_problem(const Mesh& rest, const Constraints& constraints, const Def
   const Cells cells = build_cells(rest, options.weights);
   const std::vector<bool> is_free = free_vertices(constraints, cells);
   require_held(rest, cells, loose_vertices(is_free, constraints), constraints.rigid);
-  const Patch patch = make_patch(cells, rest.positions, is_free, options.system);
+  Patch patch = make_patch(cells, rest.positions, is_free, options.system);
   const std::vector<int> body = bodies(constraints, rest.vertex_count());
   const std::vector<int> places = places_in(patch, constraints.handles, rest.vertex_count());
-  const Ties ties{soft_handles(constraints, places, patch.free), rigid_regions(body, patch),
-                  restricted(order, patch)};
+  Ties ties{soft_handles(constraints, places, patch.free), rigid_regions(body, patch),
+            restricted(order, patch)};
   CellTables tables = tabulate(patch);
   if (options.cell == Cell::spokes_and_rims) add_rims(build_triangles(rest, options.weights), patch, tables);
   Eigen::VectorXd rows_by_area;
   if (options.area_weighting) rows_by_area = row_weights(rest)(patch.vertices);
+  LaplacianSystem system(patch, options.system, ties, rows_by_area);
   Problem problem{options,
-                  patch,
+                  std::move(patch),
                   std::move(tables),
-                  ties,
-                  LaplacianSystem(patch, options.system, ties, rows_by_area),
+                  std::move(ties),
+                  std::move(system),
                   bounds_of(rest.positions).diagonal(),
                   {}};
   if (options.predict) problem.harmonic = turn_weights(rest, cells, constraints, problem);
