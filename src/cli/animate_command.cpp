@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/gltf_options.h"
 #include "cli/interrupt.h"
 #include "cli/load.h"
 #include "cli/progress.h"
@@ -68,12 +69,7 @@ std::vector<Solved> solve(const LoadedShot& loaded, std::span<const Shot> runs, 
 
 void write(Solved& solved, const Shot& run, const LoadedShot& loaded, const std::filesystem::path& path) {
   const Stopwatch watch;
-  GltfOptions options;
-  options.normals = run.gltf.normals;
-  options.hash = loaded.hash;
-  options.max_targets = run.gltf.max_targets;
-  options.texture_folder = loaded.mesh_path.parent_path();
-  solved.report.written.push_back({path, write_glb(solved.clip, options, path)});
+  solved.report.written.push_back({path, write_glb(solved.clip, gltf_options(run, loaded), path)});
   solved.report.write_seconds = watch.seconds();
 }
 

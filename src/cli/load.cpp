@@ -51,7 +51,8 @@ int frames_to_write(const LoadedShot& loaded, const ShotOptions& options) {
 }
 
 /// What is wrong with writing a GLB there, or nothing.
-std::string fault_of_output(const LoadedShot& loaded, const fs::path& path, int max_targets, int frames) {
+std::string fault_of_output(const LoadedShot& loaded, const fs::path& path, const GltfOutput& output,
+                            int frames) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension != ".glb" && !is_special(path))
@@ -59,11 +60,12 @@ std::string fault_of_output(const LoadedShot& loaded, const fs::path& path, int 
   for (const fs::path& input : loaded.inputs)
     if (same_file(path, input))
       return fmt::format("the output '{}' would replace an input; give it another name", path.string());
-  if (frames > max_targets)
+  if (output.basis == GltfOutput::Basis::frames && frames > output.max_targets)
     return fmt::format(
-        "{} frames make as many morph targets, above max_targets, {}; lower fps, pick --frames, or set "
-        "output.gltf.max_targets (many viewers stop at 256)",
-        frames, max_targets);
+        "{} frames make as many morph targets, above max_targets, {}; write profile compat or web, lower "
+        "fps, "
+        "pick --frames, or set output.gltf.max_targets (many viewers stop at 256)",
+        frames, output.max_targets);
   return {};
 }
 
@@ -113,8 +115,7 @@ std::vector<fs::path> plan_outputs(const LoadedShot& loaded, const ShotOptions& 
   for (const Shot& run : runs) {
     if (run.gltf.path.empty()) continue;
     const fs::path path = options.out_dir / run.gltf.path;  // an absolute path stays as it is
-    const std::string wrong =
-        fault_of_output(loaded, path, run.gltf.max_targets, frames_to_write(loaded, options));
+    const std::string wrong = fault_of_output(loaded, path, run.gltf, frames_to_write(loaded, options));
     if (!wrong.empty())
       throw TimelineError(loaded.shot.file, {error_at(run.gltf.where, wrong, options.overrides())});
     paths.push_back(path);

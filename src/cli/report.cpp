@@ -42,14 +42,42 @@ json frame_json(const FrameReport& frame) {
           {"slipped", frame.slipped}};
 }
 
+json gltf_json(const WrittenFile& file) {
+  const GltfReport& gltf = file.gltf;
+  json clients = json::array();
+  for (const ClientNote& note : gltf.clients)
+    clients.push_back({{"client", note.client}, {"plays", note.plays}, {"why", note.why}});
+  return {{"path", file.path.string()},
+          {"bytes", gltf.bytes},
+          {"profile", gltf.profile},
+          {"targets", gltf.targets},
+          {"keys", gltf.keys},
+          {"vertices", gltf.vertices},
+          {"error", gltf.error},
+          {"kg_error", gltf.kg_error},
+          {"normal_error_mean", gltf.normal_error_mean},
+          {"normal_error_largest", gltf.normal_error_largest},
+          {"gpu_bytes", gltf.gpu_bytes},
+          {"extensions", gltf.extensions},
+          {"clients", std::move(clients)}};
+}
+
+/// "plays in three.js and Godot; not in Blender (reads no …)"
+std::string clients_text(const std::vector<ClientNote>& notes) {
+  std::vector<std::string> plays, fails;
+  for (const ClientNote& note : notes) {
+    std::string text = note.why.empty() ? note.client : fmt::format("{} ({})", note.client, note.why);
+    (note.plays ? plays : fails).push_back(std::move(text));
+  }
+  std::string text = plays.empty() ? "" : fmt::format("plays in {}", fmt::join(plays, ", "));
+  if (!fails.empty()) text += fmt::format("{}not in {}", text.empty() ? "" : "; ", fmt::join(fails, ", "));
+  return text;
+}
+
 json run_json(const RunReport& run) {
   json frames = json::array(), written = json::array();
   for (const FrameReport& frame : run.frames) frames.push_back(frame_json(frame));
-  for (const WrittenFile& file : run.written)
-    written.push_back({{"path", file.path.string()},
-                       {"bytes", file.gltf.bytes},
-                       {"targets", file.gltf.targets},
-                       {"vertices", file.gltf.vertices}});
+  for (const WrittenFile& file : run.written) written.push_back(gltf_json(file));
   return {{"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
           {"frames", run.frames.size()},
           {"solves", run.solves()},
@@ -114,8 +142,11 @@ std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& 
       text += fmt::format("  slip   the surface lost a turn that its handles made: {}\n",
                           frames_text(slipped, run.frames.size(), "slipped"));
     for (const WrittenFile& file : run.written)
-      text += fmt::format("  write  {:6.2f} s   {}, {}, {} targets\n", run.write_seconds, file.path.string(),
-                          size_text(file.gltf.bytes), file.gltf.targets);
+      text += fmt::format(
+          "  write  {:6.2f} s   {}, {}\n         {}: {} targets, off by at most {:.2g} % of the "
+          "diagonal; {}\n",
+          run.write_seconds, file.path.string(), size_text(file.gltf.bytes), file.gltf.profile,
+          file.gltf.targets, 100 * file.gltf.error, clients_text(file.gltf.clients));
   }
   return text;
 }

@@ -44,8 +44,8 @@ std::span<const std::byte> bytes_of(const FloatRows& rows) {
   return std::as_bytes(std::span(rows.data(), static_cast<std::size_t>(rows.size())));
 }
 
-std::vector<double> doubles(const Eigen::RowVectorXf& row) {
-  return {row.data(), row.data() + row.size()};
+std::vector<double> doubles(const Eigen::RowVectorXd& row) {
+  return {row.begin(), row.end()};
 }
 
 /// An accessor of `count` rows whose values are these and, where some are left out, zeros.
@@ -60,8 +60,8 @@ tinygltf::Accessor float_accessor(const FloatRows& values, std::int64_t count) {
     low = low.cwiseMin(0.0F);
     high = high.cwiseMax(0.0F);
   }
-  accessor.minValues = doubles(low);
-  accessor.maxValues = doubles(high);
+  accessor.minValues = doubles(low.cast<double>());
+  accessor.maxValues = doubles(high.cast<double>());
   return accessor;
 }
 
@@ -110,6 +110,34 @@ int append_smaller(tinygltf::Model& model, const SparseRows& rows, int dense_tar
   return append_dense(model, dense_rows(rows), dense_target);
 }
 
+/// The rows' numbers in this many bytes each, a row padded to a multiple of 4.
+std::vector<std::byte> strided(const ShortRows& rows, std::size_t number_bytes, std::size_t stride) {
+  std::vector<std::byte> bytes(static_cast<std::size_t>(rows.rows()) * stride);
+  for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+    std::byte* to = bytes.data() + static_cast<std::size_t>(row) * stride;
+    for (const std::int16_t number : rows.row(row)) {
+      std::memcpy(to, &number, number_bytes);  // of a little-endian number the low bytes
+      to += number_bytes;
+    }
+  }
+  return bytes;
+}
+
+float number_at(const unsigned char* data, int component_type) {
+  const auto read = [&]<typename T>(T value) {
+    std::memcpy(&value, data, sizeof(T));
+    return static_cast<float>(value);
+  };
+  switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return std::max(read(std::int8_t{0}) / 127.0F, -1.0F);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return std::max(read(std::int16_t{0}) / 32767.0F, -1.0F);
+    default:
+      return read(0.0F);
+  }
+}
+
 const unsigned char* view_data(const tinygltf::Model& model, int view) {
   return model.buffers[0].data.data() + model.bufferViews[static_cast<std::size_t>(view)].byteOffset;
 }
@@ -130,6 +158,22 @@ int append_attribute(tinygltf::Model& model, const FloatRows& rows) {
 
 int append_deltas(tinygltf::Model& model, const SparseRows& rows) {
   return append_smaller(model, rows, TINYGLTF_TARGET_ARRAY_BUFFER);
+}
+
+int append_normalized(tinygltf::Model& model, const ShortRows& rows, int largest) {
+  const std::size_t number_bytes = largest <= INT8_MAX ? 1 : 2;
+  const auto stride =
+      static_cast<std::size_t>(aligned(rows.cols() * static_cast<Eigen::Index>(number_bytes)));
+  tinygltf::Accessor accessor;
+  accessor.componentType = number_bytes == 1 ? TINYGLTF_COMPONENT_TYPE_BYTE : TINYGLTF_COMPONENT_TYPE_SHORT;
+  accessor.type = type_of_columns(rows.cols());
+  accessor.normalized = true;
+  accessor.count = static_cast<std::size_t>(rows.rows());
+  accessor.minValues = doubles(rows.cast<double>().colwise().minCoeff());
+  accessor.maxValues = doubles(rows.cast<double>().colwise().maxCoeff());
+  accessor.bufferView = append_view(model, strided(rows, number_bytes, stride), TINYGLTF_TARGET_ARRAY_BUFFER);
+  model.bufferViews.back().byteStride = stride;
+  return add_accessor(model, std::move(accessor));
 }
 
 int append_times(tinygltf::Model& model, const FloatRows& times) {
@@ -163,8 +207,15 @@ FloatRows read_rows(const tinygltf::Model& model, int index) {
   const int columns = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
   FloatRows rows = FloatRows::Zero(count, columns);
   if (accessor.bufferView >= 0) {
-    const auto bytes = static_cast<std::size_t>(rows.size()) * sizeof(float);
-    std::memcpy(rows.data(), view_data(model, accessor.bufferView), bytes);
+    const unsigned char* data = view_data(model, accessor.bufferView);
+    const int number_bytes =
+        tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
+    const int stride = accessor.ByteStride(model.bufferViews[static_cast<std::size_t>(accessor.bufferView)]);
+    for (Eigen::Index row = 0; row < count; ++row) {
+      for (Eigen::Index column = 0; column < columns; ++column) {
+        rows(row, column) = number_at(data + row * stride + column * number_bytes, accessor.componentType);
+      }
+    }
   }
   if (!accessor.sparse.isSparse) return rows;
   const unsigned char* indices = view_data(model, accessor.sparse.indices.bufferView);

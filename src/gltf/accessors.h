@@ -22,6 +22,10 @@ int append_attribute(tinygltf::Model& model, const FloatRows& rows);
 /// Morph deltas: sparse over zeros where that takes fewer bytes, else every row.
 int append_deltas(tinygltf::Model& model, const SparseRows& rows);
 
+/// Integers of −largest … largest that stand for −1 … 1, largest being 127 (one byte a number) or 32767
+/// (two): #rows x 3, in a view whose stride is a multiple of 4 bytes, as vertex attributes want it.
+int append_normalized(tinygltf::Model& model, const ShortRows& rows, int largest);
+
 /// Key times of an animation, seconds, #keys x 1.
 int append_times(tinygltf::Model& model, const FloatRows& times);
 
@@ -34,7 +38,7 @@ int append_triangles(tinygltf::Model& model, std::span<const std::uint32_t> corn
 /// Bytes as they are, such as an image's. Returns the index of the buffer view.
 int append_bytes(tinygltf::Model& model, std::span<const std::byte> bytes);
 
-/// All rows of a float accessor as the buffer holds them.
+/// All rows of an accessor that one of these appended, integers as the numbers that they stand for.
 FloatRows read_rows(const tinygltf::Model& model, int accessor);
 
 }  // namespace flexkey

@@ -12,8 +12,8 @@ namespace {
 // Leaves room for differences of two positions within a float's 3.4e38.
 constexpr double kFarthest = 1e38;
 
-// Weights are a square of the frames, whose sparse indices have 32 bits.
-constexpr int kMostFrames = 65'535;
+// The weights of one target a frame are a square of the frames, whose sparse indices have 32 bits.
+constexpr std::size_t kMostFrames = 65'535;
 
 void require(bool holds, const std::string& problem) {
   if (!holds) throw InputError(problem);
@@ -59,20 +59,12 @@ void check_positions(const Positions& positions, const std::string& whose) {
   }
 }
 
-void check_frame_count(std::size_t frames, int max_targets) {
-  require(frames > 0, "the clip has no frames");
-  const int most = std::min(max_targets, kMostFrames);
-  require(
-      frames <= static_cast<std::size_t>(std::max(most, 0)),
-      fmt::format("the clip has {0} frames, which make {0} morph targets, and at most {1} are allowed; most "
-                  "viewers stop at 256",
-                  frames, most));
-}
-
 }  // namespace
 
-void check_clip(const Clip& clip, int max_targets) {
-  check_frame_count(clip.frames.size(), max_targets);
+void check_clip(const Clip& clip) {
+  require(!clip.frames.empty(), "the clip has no frames");
+  require(clip.frames.size() <= kMostFrames,
+          fmt::format("the clip has {} frames, and at most {} are written", clip.frames.size(), kMostFrames));
   require(
       clip.reports.size() == clip.frames.size(),
       fmt::format("the clip has {} frames and {} reports of them", clip.frames.size(), clip.reports.size()));

@@ -4,9 +4,8 @@
 
 namespace flexkey {
 
-/// Throws InputError for a clip that glTF cannot hold as one morph target a frame: none or more than
-/// `max_targets` frames, coordinates that are no finite 32-bit floats, a frame rate out of 0.001 ..
-/// 1,000,000, or parts that do not fit each other.
-void check_clip(const Clip& clip, int max_targets);
+/// Throws InputError for a clip that glTF cannot hold as morph targets: no frames, coordinates that are no
+/// finite 32-bit floats, a frame rate out of 0.001 .. 1,000,000, or parts that do not fit each other.
+void check_clip(const Clip& clip);
 
 }  // namespace flexkey

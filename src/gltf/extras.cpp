@@ -34,32 +34,52 @@ Value::Array triangle_runs(const Group& group, const Primitive& primitive) {
   return runs;
 }
 
-}  // namespace
-
-std::string target_name(int frame) {
-  return fmt::format("f{:04}", frame);
-}
-
-Value describe_clip(const Clip& clip, const std::string& hash, const PlaybackError& error) {
+/// The frames of the shot by their numbers, and λ at each.
+void describe_frames(const Clip& clip, Value::Object& extras) {
   Value::Array lambdas, frames;
   for (const FrameReport& report : clip.reports) {
     lambdas.emplace_back(report.lambda);
     frames.emplace_back(report.frame);
   }
-  Value::Object extras;
-  extras["profile"] = Value(std::string("exact"));
   extras["fps"] = Value(clip.fps);
   extras["frames"] = Value(static_cast<int>(clip.frames.size()));
   extras["sourceFrames"] = Value(frames);
   extras["lambda"] = Value(lambdas);
-  extras["hash"] = Value(valid_utf8(hash));
+}
+
+void describe_error(const PlaybackError& error, Value::Object& extras) {
   extras["error"] = Value(error.largest);
   extras["kgError"] = Value(error.kg);
-  if (error.has_normals) {
-    extras["normalErrorMean"] = Value(error.normal_mean);
-    extras["normalErrorLargest"] = Value(error.normal_largest);
-  }
-  return Value(extras);
+  if (!error.has_normals) return;
+  extras["normalErrorMean"] = Value(error.normal_mean);
+  extras["normalErrorLargest"] = Value(error.normal_largest);
+}
+
+/// The frames at which weights are given; some lie between two.
+Value::Array key_frames(const Basis& basis) {
+  Value::Array frames;
+  for (const double key : basis.keys) frames.emplace_back(key);
+  return frames;
+}
+
+}  // namespace
+
+void describe(tinygltf::Model& model, const Clip& clip, const Basis& basis, const GltfOptions& options,
+              const PlaybackError& error) {
+  model.asset.version = "2.0";
+  model.asset.generator = "flexkey " FLEXKEY_VERSION;
+  Value::Object extras;
+  extras["profile"] = Value(profile_name(options));
+  if (options.basis != BasisKind::frames) extras["tolerance"] = Value(options.tolerance);
+  describe_frames(clip, extras);
+  extras["keyFrames"] = Value(key_frames(basis));
+  extras["hash"] = Value(valid_utf8(options.hash));
+  describe_error(error, extras);
+  for (tinygltf::Animation& animation : model.animations) animation.extras = Value(extras);
+  Value::Array names;
+  for (const std::string& name : basis.names) names.emplace_back(name);
+  extras["targetNames"] = Value(names);
+  model.meshes[0].extras = Value(extras);
 }
 
 Value describe_groups(const Mesh& mesh, const Primitive& primitive) {

@@ -1,23 +1,22 @@
 #pragma once
 
-#include <string>
-
 #include "flexkey/animate/clip.h"
+#include "flexkey/gltf/basis.h"
 #include "flexkey/gltf/measure.h"
 #include "flexkey/gltf/primitives.h"
+#include "flexkey/gltf/write_glb.h"
 
 namespace tinygltf {
+class Model;
 class Value;
-}
+}  // namespace tinygltf
 
 namespace flexkey {
 
-/// "f0042": the name of the morph target of frame 42.
-std::string target_name(int frame);
-
-/// What a mesh and an animation say of their origin: profile, fps, frames, the source frame and λ of each
-/// target, the hash of timeline and mesh, and the measured errors.
-tinygltf::Value describe_clip(const Clip& clip, const std::string& hash, const PlaybackError& error);
+/// Fills asset, and the extras of mesh 0 and of every animation: profile, tolerance, fps, frames and their λ,
+/// the source frame of each key, target names, the hash of timeline and mesh, and the measured errors.
+void describe(tinygltf::Model& model, const Clip& clip, const Basis& basis, const GltfOptions& options,
+              const PlaybackError& error);
 
 /// `groups`: the groups of the mesh as [first, count, first, count, …] of the primitive's triangles; no value
 /// (null) where none of its faces is in a group.

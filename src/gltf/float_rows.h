@@ -9,6 +9,9 @@ namespace flexkey {
 /// What a float accessor holds: #rows x 1 (SCALAR), 2 (VEC2) or 3 (VEC3), rows side by side in memory.
 using FloatRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Rows of integers, side by side in memory.
+using ShortRows = Eigen::Matrix<std::int16_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// Rows of which most may be zero: only those that `indices` names are kept.
 struct SparseRows {
   std::int64_t count = 0;              // rows in all

@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <string>
 
@@ -14,23 +16,17 @@
 namespace flexkey {
 namespace {
 
-/// Rows of an attribute at target `frame` with weight 1, added up in floats.
-Positions played(const tinygltf::Model& model, std::size_t primitive, const std::string& attribute,
-                 std::size_t frame) {
-  const tinygltf::Primitive& written = model.meshes[0].primitives[primitive];
-  const FloatRows base = read_rows(model, written.attributes.at(attribute));
-  const FloatRows sum = base + read_rows(model, written.targets[frame].at(attribute));
-  return sum.cast<double>();
-}
-
 /// Sums over the vertices and frames seen so far.
 class ErrorSums {
  public:
   void add_positions(const Positions& solved, const Positions& played) {
-    const Positions off = solved - played;
-    largest_ = std::max(largest_, off.rowwise().norm().maxCoeff());
-    off_squared_ += off.squaredNorm();
+    add_largest(solved, played);
+    off_squared_ += (solved - played).squaredNorm();
     spread_squared_ += (solved.rowwise() - solved.colwise().mean()).squaredNorm();
+  }
+
+  void add_largest(const Positions& solved, const Positions& played) {
+    largest_ = std::max(largest_, (solved - played).rowwise().norm().maxCoeff());
   }
 
   void add_normals(const Positions& solved, const Positions& played) {
@@ -59,41 +55,104 @@ class ErrorSums {
   std::int64_t angles_ = 0;
 };
 
-/// The rows of all primitives one below the other.
-Positions stacked(const std::vector<Positions>& parts) {
+/// The primitives' rows one below the other.
+FloatRows stacked(const std::vector<FloatRows>& parts) {
   Eigen::Index rows = 0;
-  for (const Positions& part : parts) rows += part.rows();
-  Positions all(rows, 3);
+  for (const FloatRows& part : parts) rows += part.rows();
+  FloatRows all(rows, 3);
   rows = 0;
-  for (const Positions& part : parts) {
+  for (const FloatRows& part : parts) {
     all.middleRows(rows, part.rows()) = part;
     rows += part.rows();
   }
   return all;
 }
 
+/// An attribute of mesh 0 as it was written, the rows of its primitives one below the other.
+class Morphed {
+ public:
+  Morphed(const tinygltf::Model& model, const std::string& attribute) {
+    const std::vector<tinygltf::Primitive>& primitives = model.meshes[0].primitives;
+    const auto read = [&](const auto& accessor_of) {
+      std::vector<FloatRows> parts;
+      for (const tinygltf::Primitive& primitive : primitives)
+        parts.push_back(read_rows(model, accessor_of(primitive).at(attribute)));
+      return stacked(parts);
+    };
+    base_ = read([](const tinygltf::Primitive& one) -> const auto& { return one.attributes; });
+    for (std::size_t t = 0; t < primitives[0].targets.size(); ++t)
+      targets_.push_back(read([t](const tinygltf::Primitive& one) -> const auto& { return one.targets[t]; }));
+  }
+
+  /// base + Σ weight · delta, added up in floats as clients do. weights: #targets.
+  Positions at(const Eigen::RowVectorXf& weights) const {
+    FloatRows sum = base_;
+    for (std::size_t t = 0; t < targets_.size(); ++t) {
+      const float weight = weights[static_cast<Eigen::Index>(t)];
+      if (weight != 0) sum += weight * targets_[t];
+    }
+    return sum.cast<double>();
+  }
+
+ private:
+  FloatRows base_;
+  std::vector<FloatRows> targets_;
+};
+
+/// The clip between two of its frames, by their numbers.
+class Solved {
+ public:
+  explicit Solved(const Clip& clip) : clip_(clip) {
+    for (const FrameReport& report : clip.reports) numbers_.push_back(report.frame);
+  }
+  const std::vector<double>& numbers() const { return numbers_; }
+
+  Positions at(double number) const {
+    const auto found = std::lower_bound(numbers_.begin(), numbers_.end(), number);
+    const auto after = static_cast<std::size_t>(found - numbers_.begin());
+    if (*found == number) return clip_.frames[after];
+    const double share = (number - numbers_[after - 1]) / (numbers_[after] - numbers_[after - 1]);
+    return (1 - share) * clip_.frames[after - 1] + share * clip_.frames[after];
+  }
+
+ private:
+  const Clip& clip_;
+  std::vector<double> numbers_;
+};
+
+/// Those of the keys that are no frames.
+std::vector<double> keys_between(const std::vector<double>& keys, const std::vector<double>& frames) {
+  std::vector<double> between;
+  std::set_difference(keys.begin(), keys.end(), frames.begin(), frames.end(), std::back_inserter(between));
+  return between;
+}
+
 }  // namespace
 
-PlaybackError measure_playback(const tinygltf::Model& model, const Clip& clip,
-                               const std::vector<Primitive>& primitives,
-                               const std::optional<SeamlessNormals>& normals) {
-  const auto solved_parts = [&](const Positions& rows) {
-    std::vector<Positions> parts;
-    for (const Primitive& primitive : primitives) parts.push_back(rows(primitive.vertices, Eigen::all));
-    return stacked(parts);
-  };
-  const auto played_parts = [&](const std::string& attribute, std::size_t frame) {
-    std::vector<Positions> parts;
-    for (std::size_t i = 0; i < primitives.size(); ++i) parts.push_back(played(model, i, attribute, frame));
-    return stacked(parts);
-  };
+PlaybackError measure_playback(const tinygltf::Model& model, const Asset& asset, const Basis& basis) {
+  std::vector<int> vertices;
+  for (const Primitive& primitive : asset.primitives)
+    vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  const Solved solved(asset.clip);
   ErrorSums sums;
-  for (std::size_t frame = 0; frame < clip.frames.size(); ++frame) {
-    const Positions& solved = clip.frames[frame];
-    sums.add_positions(solved_parts(solved), played_parts("POSITION", frame));
-    if (normals) sums.add_normals(solved_parts(normals->at(solved)), played_parts("NORMAL", frame));
+  const auto each = [&](const std::vector<double>& times, const Morphed& morphed, const auto& compare) {
+    for (const double time : times)
+      compare(solved.at(time), morphed.at(weights_at(basis, std::array{time}).cast<float>()));
+  };
+  const Morphed positions(model, "POSITION");
+  each(solved.numbers(), positions, [&](const Positions& right, const Positions& played) {
+    sums.add_positions(right(vertices, Eigen::all), played);
+  });
+  each(keys_between(basis.keys, solved.numbers()), positions,
+       [&](const Positions& right, const Positions& played) {
+         sums.add_largest(right(vertices, Eigen::all), played);
+       });
+  if (asset.normals) {
+    each(solved.numbers(), Morphed(model, "NORMAL"), [&](const Positions& right, const Positions& played) {
+      sums.add_normals(asset.normals->at(right)(vertices, Eigen::all), played);
+    });
   }
-  return sums.result(bounds_of(clip.mesh.positions).diagonal());
+  return sums.result(bounds_of(asset.clip.mesh.positions).diagonal());
 }
 
 }  // namespace flexkey

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
-#include "flexkey/animate/clip.h"
-#include "flexkey/gltf/primitives.h"
-#include "flexkey/gltf/shape.h"
+#include "flexkey/gltf/asset.h"
+#include "flexkey/gltf/basis.h"
 
 namespace tinygltf {
 class Model;
@@ -22,11 +18,10 @@ struct PlaybackError {
   double normal_largest = 0;
 };
 
-/// Reads base and targets of the model's mesh 0 back from its buffer, adds each up in floats as a client
-/// does, and compares it with the solved frame of its number. The model's primitives are those of
-/// `primitives`, in their order.
-PlaybackError measure_playback(const tinygltf::Model& model, const Clip& clip,
-                               const std::vector<Primitive>& primitives,
-                               const std::optional<SeamlessNormals>& normals);
+/// Reads base and targets of the model's mesh 0 back from its buffer, adds them up in floats as a client does
+/// with the weights that the basis gives them, and compares that with the solved clip: at every frame, and
+/// positions also at the keys in between, where solved frames are blended linearly. Since file and clip both
+/// go straight from one of these times to the next, nothing plays farther off.
+PlaybackError measure_playback(const tinygltf::Model& model, const Asset& asset, const Basis& basis);
 
 }  // namespace flexkey

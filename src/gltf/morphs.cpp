@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "flexkey/gltf/accessors.h"
 #include "flexkey/gltf/extras.h"
@@ -28,76 +29,82 @@ tinygltf::Primitive base_primitive(tinygltf::Model& model, const Mesh& mesh, con
   return base;
 }
 
-/// The motion from rest to pose is the difference of what both round to, so that base + delta in floats is
-/// the float nearest to the pose, and a vertex at rest gives exact zeros though its rest position may be no
-/// float.
-int append_motion(tinygltf::Model& model, const FloatRows& pose, const FloatRows& rest,
-                  const Primitive& primitive) {
-  return append_deltas(model, nonzero_rows(gather(pose - rest, primitive)));
+/// The mesh without targets, in its primitives' order.
+tinygltf::Mesh base_mesh(tinygltf::Model& model, const Asset& asset, std::size_t target_count) {
+  tinygltf::Mesh mesh;
+  mesh.name = valid_utf8(asset.clip.name);
+  mesh.weights.assign(target_count, 0.0);
+  for (std::size_t i = 0; i < asset.primitives.size(); ++i) {
+    mesh.primitives.push_back(base_primitive(model, asset.clip.mesh, asset.primitives[i], asset.rest));
+    mesh.primitives.back().material = static_cast<int>(i);
+  }
+  return mesh;
 }
 
-std::map<std::string, int> append_target(tinygltf::Model& model, const Shape& pose, const Shape& rest,
-                                         const Primitive& primitive) {
-  std::map<std::string, int> target;
-  target["POSITION"] = append_motion(model, pose.positions, rest.positions, primitive);
-  if (rest.normals.rows() > 0) {
-    target["NORMAL"] = append_motion(model, pose.normals, rest.normals, primitive);
-  }
-  return target;
+int append_gathered(tinygltf::Model& model, const FloatRows& deltas, const Primitive& primitive) {
+  return append_deltas(model, nonzero_rows(gather(deltas, primitive)));
 }
 
-/// #frames x 1, seconds; a clip of some frames of its shot begins at its first.
-FloatRows key_times(const Clip& clip) {
-  FloatRows times(static_cast<Eigen::Index>(clip.frames.size()), 1);
-  for (std::size_t k = 0; k < clip.frames.size(); ++k) {
-    const int since_first = clip.reports[k].frame - clip.reports[0].frame;
-    times(static_cast<Eigen::Index>(k), 0) = static_cast<float>(since_first / clip.fps);
-  }
-  return times;
-}
-
-/// The identity, row after row: #frames² x 1.
-SparseRows key_weights(std::int64_t frames) {
-  SparseRows weights{frames * frames, {}, FloatRows::Ones(frames, 1)};
-  for (std::int64_t k = 0; k < frames; ++k) {
-    weights.indices.push_back(static_cast<std::uint32_t>(k * (frames + 1)));
-  }
-  return weights;
+/// Row after row, without the zeros.
+SparseRows sparse_samples(const Eigen::MatrixXf& weights) {
+  const FloatRows rows = weights;
+  return nonzero_rows(rows.reshaped<Eigen::RowMajor>());
 }
 
 }  // namespace
 
-void append_morph_mesh(tinygltf::Model& model, const Clip& clip, const std::vector<Primitive>& primitives,
-                       const std::optional<SeamlessNormals>& normals) {
-  const Shape rest = shape_at(clip.mesh.positions, normals);
-  tinygltf::Mesh mesh;
-  mesh.name = valid_utf8(clip.name);
-  mesh.weights.assign(clip.frames.size(), 0.0);
-  for (std::size_t i = 0; i < primitives.size(); ++i) {
-    mesh.primitives.push_back(base_primitive(model, clip.mesh, primitives[i], rest));
-    mesh.primitives.back().material = static_cast<int>(i);
-  }
-  for (const Positions& frame : clip.frames) {
-    const Shape pose = shape_at(frame, normals);
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-      mesh.primitives[i].targets.push_back(append_target(model, pose, rest, primitives[i]));
+void append_morph_mesh(tinygltf::Model& model, const Asset& asset, Targets targets) {
+  tinygltf::Mesh mesh = base_mesh(model, asset, targets.positions.size());
+  for (std::size_t t = 0; t < targets.positions.size(); ++t) {
+    const FloatRows positions = std::move(targets.positions[t]);
+    const FloatRows normals = targets.normals.empty() ? FloatRows() : std::move(targets.normals[t]);
+    for (std::size_t i = 0; i < asset.primitives.size(); ++i) {
+      std::map<std::string, int> target;
+      target["POSITION"] = append_gathered(model, positions, asset.primitives[i]);
+      if (normals.rows() > 0) target["NORMAL"] = append_gathered(model, normals, asset.primitives[i]);
+      mesh.primitives[i].targets.push_back(std::move(target));
     }
   }
   model.meshes.push_back(std::move(mesh));
 }
 
-void append_weights_animation(tinygltf::Model& model, const Clip& clip) {
+void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const QuantizedTargets& targets) {
+  for (auto* list : {&model.extensionsUsed, &model.extensionsRequired})
+    list->emplace_back("KHR_mesh_quantization");
+  tinygltf::Mesh mesh = base_mesh(model, asset, targets.positions.size());
+  for (std::size_t t = 0; t < targets.positions.size(); ++t) {
+    for (std::size_t i = 0; i < asset.primitives.size(); ++i) {
+      const std::vector<int>& vertices = asset.primitives[i].vertices;
+      std::map<std::string, int> target;
+      target["POSITION"] = append_normalized(model, targets.positions[t](vertices, Eigen::all), 32767);
+      if (!targets.normals.empty()) {
+        target["NORMAL"] =
+            append_normalized(model, targets.normals[t](vertices, Eigen::all), targets.normal_largest);
+      } else if (!targets.float_normals.empty()) {
+        target["NORMAL"] = append_attribute(model, gather(targets.float_normals[t], asset.primitives[i]));
+      }
+      mesh.primitives[i].targets.push_back(std::move(target));
+    }
+  }
+  model.meshes.push_back(std::move(mesh));
+}
+
+void append_weights_animation(tinygltf::Model& model, const WeightTrack& track) {
+  FloatRows times(static_cast<Eigen::Index>(track.times.size()), 1);
+  for (std::size_t k = 0; k < track.times.size(); ++k) {
+    times(static_cast<Eigen::Index>(k), 0) = static_cast<float>(track.times[k]);
+  }
   tinygltf::AnimationSampler sampler;
   sampler.interpolation = "LINEAR";
-  sampler.input = append_times(model, key_times(clip));
-  sampler.output = append_samples(model, key_weights(static_cast<std::int64_t>(clip.frames.size())));
+  sampler.input = append_times(model, times);
+  sampler.output = append_samples(model, sparse_samples(track.weights));
   tinygltf::AnimationChannel channel;
   channel.sampler = 0;
   channel.target_node = 0;
   channel.target_path = "weights";
 
   tinygltf::Animation animation;
-  animation.name = valid_utf8(clip.name);
+  animation.name = valid_utf8(track.name);
   animation.samplers.push_back(std::move(sampler));
   animation.channels.push_back(std::move(channel));
   model.animations.push_back(std::move(animation));

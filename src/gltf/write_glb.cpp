@@ -3,34 +3,79 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include <optional>
+#include <span>
+#include <utility>
 
+#include "flexkey/gltf/asset.h"
 #include "flexkey/gltf/check_clip.h"
 #include "flexkey/gltf/extras.h"
+#include "flexkey/gltf/fit_targets.h"
+#include "flexkey/gltf/glb.h"
+#include "flexkey/gltf/knot_basis.h"
 #include "flexkey/gltf/materials.h"
 #include "flexkey/gltf/measure.h"
+#include "flexkey/gltf/meshopt.h"
 #include "flexkey/gltf/morphs.h"
-#include "flexkey/gltf/primitives.h"
-#include "flexkey/gltf/save_glb.h"
-#include "flexkey/gltf/shape.h"
+#include "flexkey/gltf/pca_basis.h"
+#include "flexkey/gltf/quantize.h"
 #include "flexkey/gltf/size_estimate.h"
-#include "flexkey/gltf/textures.h"
 #include "flexkey/gltf/utf8.h"
+#include "flexkey/gltf/weight_tracks.h"
+#include "flexkey/mesh/error.h"
 
 namespace flexkey {
 namespace {
 
-// Every target costs the client 32 bytes a vertex of GPU memory, sparse or not.
-constexpr std::size_t kManyTargets = 128;
+constexpr int kManyTargets = 128;
+constexpr std::uintmax_t kGpuBytes = 32;  // of a target's position and normal in a client's texture
 
-GlbContents contents_of(const Clip& clip, const std::vector<Primitive>& primitives,
-                        const TextureSet& textures, const GltfOptions& options) {
-  GlbContents contents = count_contents(clip, primitives);
-  contents.normals = options.normals;
-  for (const Texture& texture : textures.textures) {
-    contents.image_bytes += static_cast<std::int64_t>(texture.bytes.size());
+/// How much of the tolerance the basis may spend, and how much the integers do, as a distance that they add
+/// on average: their largest is about three times that.
+struct Budget {
+  double basis = 1;
+  double integers = 0;
+};
+
+Budget budget_of(const GltfOptions& options, double strictness) {
+  if (options.encoding == Encoding::floats) return {1, 0};
+  return {0.8 * strictness, 0.06 * strictness};
+}
+
+Basis basis_of(const Motion& motion, const GltfOptions& options, double tolerance) {
+  switch (options.basis) {
+    case BasisKind::knots:
+      return knot_basis(motion, tolerance);
+    case BasisKind::pca: {
+      Basis basis = pca_basis(motion, tolerance);
+      return options.encoding == Encoding::floats ? with_weights_in_unit_range(basis) : basis;
+    }
+    case BasisKind::frames:
+      break;
   }
-  return contents;
+  return frame_basis(motion);
+}
+
+std::vector<FloatRows> normal_targets(const Asset& asset, const Basis& basis, std::span<const int> numbers) {
+  const auto normals_of = [&](std::size_t frame) { return asset.normals->at(asset.clip.frames[frame]); };
+  return fit_targets(basis, numbers, asset.normals->at(asset.clip.mesh.positions), normals_of);
+}
+
+void require_allowed(const Basis& basis, const GltfOptions& options) {
+  const std::size_t targets = basis.targets.size();
+  if (targets <= static_cast<std::size_t>(options.max_targets)) return;
+  throw InputError(
+      fmt::format("the clip takes {} morph targets as '{}', and at most {} are allowed (max_targets); most "
+                  "viewers stop at "
+                  "256. A larger tolerance, or the profile 'compat' or 'web', takes fewer",
+                  targets, profile_name(options), options.max_targets));
+}
+
+/// glTF animates no weights of a mesh without targets.
+void require_one_target(Basis& basis, Eigen::Index vertex_count) {
+  if (!basis.targets.empty()) return;
+  basis.targets.emplace_back(FloatRows::Zero(vertex_count, 3));
+  basis.names.emplace_back("still");
+  basis.weights = Eigen::MatrixXf::Zero(static_cast<Eigen::Index>(basis.keys.size()), 1);
 }
 
 void append_scene(tinygltf::Model& model, const Clip& clip) {
@@ -44,61 +89,114 @@ void append_scene(tinygltf::Model& model, const Clip& clip) {
   model.defaultScene = 0;
 }
 
-void describe(tinygltf::Model& model, const Clip& clip, const std::string& hash, const PlaybackError& error) {
-  model.asset.version = "2.0";
-  model.asset.generator = "flexkey " FLEXKEY_VERSION;
-  const tinygltf::Value about = describe_clip(clip, hash, error);
-  model.animations[0].extras = about;
-  tinygltf::Value::Object extras = about.Get<tinygltf::Value::Object>();
-  tinygltf::Value::Array names;
-  for (const FrameReport& report : clip.reports) names.emplace_back(target_name(report.frame));
-  extras["targetNames"] = tinygltf::Value(names);
-  model.meshes[0].extras = tinygltf::Value(extras);
+/// Quantizes the targets; their scales become part of the weights.
+QuantizedTargets quantize_into(Eigen::MatrixXf& weights, const Targets& targets, double length) {
+  QuantizedTargets quantized = quantize(targets, weights, {.length = length});
+  const Eigen::Map<const Eigen::RowVectorXf> scales(quantized.scales.data(), weights.cols());
+  weights.array().rowwise() *= scales.array();
+  return quantized;
 }
 
-GltfReport report_on(const tinygltf::Model& model, const std::vector<Primitive>& primitives,
-                     const PlaybackError& error) {
+/// A model and what it plays.
+struct Built {
+  tinygltf::Model model;
+  PlaybackError error;
+  int keys = 0;
+};
+
+Built build(const Asset& asset, const GltfOptions& options, double strictness) {
+  const Clip& clip = asset.clip;
+  const double tolerance = options.tolerance * bounds_of(clip.mesh.positions).diagonal();
+  const Budget budget = budget_of(options, strictness);
+  std::vector<int> numbers;
+  for (const FrameReport& report : clip.reports) numbers.push_back(report.frame);
+  Basis basis = basis_of({clip.frames, clip.mesh.positions, numbers}, options, budget.basis * tolerance);
+  require_allowed(basis, options);
+  require_one_target(basis, clip.mesh.positions.rows());
+  Targets targets;
+  if (asset.normals) targets.normals = normal_targets(asset, basis, numbers);
+  targets.positions = std::move(basis.targets);
+  check_glb_size(count_contents(asset, targets));
+
+  Built built;
+  built.model.buffers.emplace_back();
+  append_materials(built.model, clip.mesh, asset.primitives, asset.textures);
+  if (options.encoding == Encoding::meshopt) {
+    append_morph_mesh(built.model, asset, quantize_into(basis.weights, targets, budget.integers * tolerance));
+  } else {
+    append_morph_mesh(built.model, asset, std::move(targets));
+  }
+  append_scene(built.model, clip);
+  for (const WeightTrack& track : weight_tracks(clip, basis, options.clips))
+    append_weights_animation(built.model, track);
+  built.keys = static_cast<int>(basis.keys.size());
+  built.error = measure_playback(built.model, asset, basis);
+  describe(built.model, clip, basis, options, built.error);
+  return built;
+}
+
+/// The integers' largest error is only known once they are there: a budget that proves too large is halved.
+Built build_within_tolerance(const Asset& asset, const GltfOptions& options) {
+  constexpr double least_strictness = 1.0 / 16;
+  for (double strictness = 1;; strictness /= 2) {
+    Built built = build(asset, options, strictness);
+    const bool is_met = options.basis == BasisKind::frames || built.error.largest <= options.tolerance;
+    if (is_met || strictness <= least_strictness) return built;
+  }
+}
+
+GltfReport report_on(const Built& built, const Asset& asset, const GltfOptions& options) {
   GltfReport report;
-  report.targets = static_cast<int>(model.meshes[0].weights.size());
-  for (const Primitive& primitive : primitives)
+  report.profile = profile_name(options);
+  report.targets = static_cast<int>(built.model.meshes[0].weights.size());
+  for (const Primitive& primitive : asset.primitives)
     report.vertices += static_cast<int>(primitive.vertices.size());
-  report.error = error.largest;
-  report.kg_error = error.kg;
-  report.normal_error_mean = error.normal_mean;
-  report.normal_error_largest = error.normal_largest;
+  report.keys = built.keys;
+  report.error = built.error.largest;
+  report.kg_error = built.error.kg;
+  report.normal_error_mean = built.error.normal_mean;
+  report.normal_error_largest = built.error.normal_largest;
+  report.gpu_bytes =
+      kGpuBytes * static_cast<std::uintmax_t>(report.vertices) * static_cast<std::uintmax_t>(report.targets);
+  report.extensions = built.model.extensionsRequired;
+  const bool has_meshopt = options.encoding == Encoding::meshopt;
+  if (has_meshopt) report.extensions.emplace_back("EXT_meshopt_compression");
+  report.clients = client_notes(report.targets, has_meshopt);
+  report.warnings = asset.textures.warnings;
   return report;
+}
+
+void warn(const GltfOptions& options, GltfReport& report) {
+  if (options.basis != BasisKind::frames && report.error > options.tolerance) {
+    report.warnings.push_back(
+        fmt::format("the file is off by {:.2g} of the diagonal, more than its tolerance of {:.2g}",
+                    report.error, options.tolerance));
+  }
+  if (report.targets > kManyTargets) {
+    report.warnings.push_back(
+        fmt::format("{} morph targets take {:.0f} MiB of GPU memory, and many viewers are slow beyond 128",
+                    report.targets, static_cast<double>(report.gpu_bytes) / (1 << 20)));
+  }
 }
 
 }  // namespace
 
+std::string profile_name(const GltfOptions& options) {
+  const auto [basis, encoding] = std::pair(options.basis, options.encoding);
+  if (basis == BasisKind::knots) return encoding == Encoding::floats ? "compat" : "knots meshopt";
+  if (basis == BasisKind::pca) return encoding == Encoding::floats ? "pca float" : "web";
+  return encoding == Encoding::floats ? "exact" : "frames meshopt";
+}
+
 GltfReport write_glb(const Clip& clip, const GltfOptions& options, const std::filesystem::path& path) {
-  check_clip(clip, options.max_targets);
-  const std::vector<Primitive> primitives = split_primitives(clip.mesh);
-  const TextureSet textures = read_textures(clip.mesh, primitives, options.texture_folder);
-  const GlbContents contents = contents_of(clip, primitives, textures, options);
-  check_glb_size(contents);
-  std::optional<SeamlessNormals> normals;
-  if (options.normals) normals.emplace(clip.mesh);
-
-  tinygltf::Model model;
-  model.buffers.emplace_back();
-  model.buffers[0].data.reserve(static_cast<std::size_t>(estimate_glb_bytes(contents)));
-  append_materials(model, clip.mesh, primitives, textures);
-  append_morph_mesh(model, clip, primitives, normals);
-  append_scene(model, clip);
-  append_weights_animation(model, clip);
-  const PlaybackError error = measure_playback(model, clip, primitives, normals);
-  describe(model, clip, options.hash, error);
-
-  GltfReport report = report_on(model, primitives, error);
-  report.warnings = textures.warnings;
-  if (clip.frames.size() > kManyTargets) {
-    report.warnings.push_back(fmt::format(
-        "{} morph targets take {:.0f} MiB of GPU memory, and many viewers are slow beyond 128",
-        clip.frames.size(),
-        32.0 * static_cast<double>(report.vertices) * static_cast<double>(clip.frames.size()) / (1 << 20)));
-  }
-  report.bytes = save_glb(model, path);
+  check_clip(clip);
+  const Asset asset = asset_of(clip, options);
+  Built built = build_within_tolerance(asset, options);
+  GltfReport report = report_on(built, asset, options);
+  warn(options, report);
+  Glb glb = glb_of(std::move(built.model));
+  if (options.encoding == Encoding::meshopt) glb = meshopt_compressed(glb);
+  report.bytes = save_glb(glb, path);
   return report;
 }
 

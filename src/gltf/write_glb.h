@@ -6,33 +6,66 @@
 #include <vector>
 
 #include "flexkey/animate/clip.h"
+#include "flexkey/gltf/compatibility.h"
 
 namespace flexkey {
 
+/// Which targets the frames are made of.
+enum class BasisKind {
+  knots,   // frames at which the motion bends, refitted; weights 0..1
+  pca,     // principal components
+  frames,  // every frame
+};
+
+enum class Encoding {
+  floats,   // core glTF, sparse where that is smaller
+  meshopt,  // 16-bit deltas (KHR_mesh_quantization) under EXT_meshopt_compression
+};
+
+/// A named animation of some of the clip: from .. to, seconds of the shot.
+struct ClipRange {
+  std::string name;
+  double from = 0;
+  double to = 0;
+};
+
 struct GltfOptions {
+  BasisKind basis = BasisKind::knots;
+  Encoding encoding = Encoding::floats;
+  double tolerance =
+      1e-3;             // of what plays, quantization included, a share of the rest diagonal; frames: unused
   bool normals = true;  // write smooth normals and their deltas; else none, and clients shade flat
-  std::string hash;     // of timeline and mesh, for extras
+  std::vector<ClipRange> clips;  // one animation each; empty: one of the whole clip
+  std::string hash;              // of timeline and mesh, for extras
   std::filesystem::path
       texture_folder;     // where relative texture paths of materials start: the mesh file's folder
-  int max_targets = 200;  // frames beyond are an error; WebGL2 guarantees 256
+  int max_targets = 200;  // more are an error; WebGL2 guarantees 256
 };
+
+/// "compat", "web", "exact", or the basis and encoding of none of them: "pca float", "knots meshopt".
+std::string profile_name(const GltfOptions& options);
 
 struct GltfReport {
   std::uintmax_t bytes = 0;
+  std::string profile;
   int targets = 0;   // morph targets a mesh primitive
+  int keys = 0;      // times at which weights are given
   int vertices = 0;  // of all primitives, after splitting along UV and material seams
   double error =
       0;  // largest vertex distance from the solved frames, read back, as a share of the rest diagonal
   double kg_error = 0;              // percent
   double normal_error_mean = 0;     // degrees, likewise
   double normal_error_largest = 0;  // degrees
+  std::uintmax_t gpu_bytes = 0;  // that the targets take in a client: 32 a vertex and target, sparse or not
+  std::vector<std::string> extensions;  // that a client must know
+  std::vector<ClientNote> clients;      // whether well-known clients play it
   std::vector<std::string> warnings;
 };
 
-/// Writes the clip as a GLB: the rest mesh, one morph target a frame, LINEAR weights (profile `exact`).
+/// Writes the clip as a GLB: the rest mesh, its morph targets and their weights over time, LINEAR.
 /// One primitive a material; polygons become triangles; textures that are there as PNG or JPEG are embedded.
 /// Written beside `path` and renamed when whole. Throws OutputError, and InputError for what glTF cannot
-/// hold.
+/// hold or for more targets than are allowed.
 GltfReport write_glb(const Clip& clip, const GltfOptions& options, const std::filesystem::path& path);
 
 }  // namespace flexkey

@@ -10,6 +10,7 @@
 #include "flexkey/timeline/fields.h"
 #include "flexkey/timeline/overrides.h"
 #include "flexkey/timeline/placeholders.h"
+#include "flexkey/timeline/read_gltf_output.h"
 #include "flexkey/timeline/read_handle.h"
 #include "flexkey/timeline/read_lambda.h"
 #include "flexkey/timeline/read_names.h"
@@ -89,6 +90,7 @@ Shot read_contents(const Fields& fields, Scope& scope) {
   if (const Node* node = fields.value("lambda")) shot.lambda = read_lambda(*node, scope);
   if (const Node* node = fields.value("solver")) shot.solver = read_solver(*node, scope);
   if (const Node* node = fields.value("output")) shot.gltf = read_output(*node, scope);
+  if (const Node* node = fields.value("clips")) shot.clips = read_clips(*node, scope);
   if (const Node* node = fields.value("sweep")) shot.sweep.lambda = read_sweep(*node, scope);
   return shot;
 }

@@ -78,8 +78,19 @@ struct MeshSource {
 struct GltfOutput {
   std::string path;  // as the timeline gives it, placeholders and all
   Mark where;
-  bool normals = true;    // `normals: smooth`
-  int max_targets = 200;  // more frames than this are refused
+  enum class Basis { knots, pca, frames };
+  enum class Encoding { floats, meshopt };
+  Basis basis = Basis::knots;  // with floats `profile: compat`; pca with meshopt is `web`, frames `exact`
+  Encoding encoding = Encoding::floats;
+  double tolerance = 1e-3;  // of what plays, a share of the diagonal; frames need none
+  bool normals = true;      // `normals: smooth`
+  int max_targets = 200;    // more are refused
+};
+
+/// A part of the shot under a name of its own.
+struct NamedInterval {
+  std::string name;
+  Interval time;
 };
 
 /// A run of the shot for each value of the swept key; empty means one run of the shot as it is.
@@ -100,6 +111,7 @@ struct Shot {
   Track<double> lambda;  // never empty: a constant is one key
   SolverSettings solver;
   GltfOutput gltf;
+  std::vector<NamedInterval> clips;  // an animation each in the GLB; empty: one of the whole shot
   Sweep sweep;
 
   int frame_count() const { return static_cast<int>(duration * fps + 1e-6) + 1; }

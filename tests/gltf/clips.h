@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "flexkey/animate/clip.h"
+#include "flexkey/gltf/write_glb.h"
 
 namespace flexkey::testing {
 
@@ -73,6 +74,13 @@ inline Material material(const std::string& name) {
 inline void unwrap_flat(Mesh& mesh) {
   mesh.texcoords = mesh.positions.leftCols(2);
   mesh.corner_texcoord = mesh.corners;
+}
+
+/// One target a frame, as it is.
+inline GltfOptions exact() {
+  GltfOptions options;
+  options.basis = BasisKind::frames;
+  return options;
 }
 
 using Motion = std::function<Vec3(const Vec3& rest, int frame)>;

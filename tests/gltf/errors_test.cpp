@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 template <typename Failure>
 std::string message_of(const Clip& clip, const std::filesystem::path& path) {
   try {
-    write_glb(clip, {}, path);
+    write_glb(clip, exact(), path);
   } catch (const Failure& error) {
     return error.what();
   }
@@ -87,8 +87,8 @@ TEST(WriteErrors, PositionsMustBeFiniteFloats) {
 TEST(WriteErrors, FramesMustBeThereAndNotTooMany) {
   EXPECT_EQ(refusal(clip_of(cube(), 0, twist)), "the clip has no frames");
   EXPECT_THAT(refusal(clip_of(cube(), 201, twist)),
-              HasSubstr("201 morph targets, and at most 200 are allowed"));
-  GltfOptions options;
+              HasSubstr("201 morph targets as 'exact', and at most 200 are allowed"));
+  GltfOptions options = exact();
   options.max_targets = 201;
   const TemporaryFolder folder;
   EXPECT_EQ(write_glb(clip_of(cube(), 201, twist), options, folder / "shot.glb").targets, 201);

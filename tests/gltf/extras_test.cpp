@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "flexkey/gltf/basis.h"
 #include "flexkey/gltf/write_glb.h"
 #include "gltf/clips.h"
 #include "gltf/glb_file.h"
@@ -15,7 +16,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-tinygltf::Model written(const Clip& clip, const GltfOptions& options = {}) {
+tinygltf::Model written(const Clip& clip, const GltfOptions& options = exact()) {
   const TemporaryFolder folder;
   write_glb(clip, options, folder / "shot.glb");
   return load_glb(folder / "shot.glb");
@@ -39,7 +40,7 @@ TEST(Extras, TellWhereMeshAndAnimationCameFrom) {
   Clip clip = clip_of(cube(), 3, twist);
   clip.fps = 12.5;
   clip.reports[2].frame = 7;
-  GltfOptions options;
+  GltfOptions options = exact();
   options.hash = "a1b2c3";
   const tinygltf::Model model = written(clip, options);
   for (const tinygltf::Value& extras : {model.meshes[0].extras, model.animations[0].extras}) {
@@ -88,7 +89,7 @@ TEST(Extras, NamesThatAreNoUtf8AreMended) {
   mesh.face_material.assign(6, 0);
   Clip clip = clip_of(mesh, 2, twist);
   clip.name = "sch\xF6n";
-  GltfOptions options;
+  GltfOptions options = exact();
   options.hash = "\xFF";
   const tinygltf::Model model = written(clip, options);
   EXPECT_EQ(model.materials[0].name, "gr\uFFFDn");
@@ -99,8 +100,9 @@ TEST(Extras, NamesThatAreNoUtf8AreMended) {
 
 TEST(Extras, ManyTargetsAreWarnedOf) {
   const TemporaryFolder folder;
-  EXPECT_THAT(write_glb(clip_of(cube(), 128, twist), {}, folder / "shot.glb").warnings, ::testing::IsEmpty());
-  EXPECT_THAT(write_glb(clip_of(cube(), 129, twist), {}, folder / "shot.glb").warnings,
+  EXPECT_THAT(write_glb(clip_of(cube(), 128, twist), exact(), folder / "shot.glb").warnings,
+              ::testing::IsEmpty());
+  EXPECT_THAT(write_glb(clip_of(cube(), 129, twist), exact(), folder / "shot.glb").warnings,
               ElementsAre(HasSubstr("129 morph targets")));
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 namespace flexkey::testing {
@@ -20,6 +21,10 @@ double component(const std::vector<unsigned char>& data, std::size_t at, int typ
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
       return read(0.0F);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return read(std::int16_t{0});
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return read(std::int8_t{0});
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
       return read(std::uint32_t{0});
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
@@ -31,21 +36,28 @@ double component(const std::vector<unsigned char>& data, std::size_t at, int typ
   }
 }
 
-/// Tightly packed rows at the start of a buffer view.
+/// Rows that fill a buffer view from its start to its end.
 Eigen::MatrixXd view_rows(const tinygltf::Model& model, int view_index, Eigen::Index rows, int columns,
                           int type) {
   const tinygltf::BufferView& view = model.bufferViews.at(static_cast<std::size_t>(view_index));
   const std::vector<unsigned char>& data = model.buffers.at(static_cast<std::size_t>(view.buffer)).data;
-  const std::size_t wanted = static_cast<std::size_t>(rows * columns) * component_bytes(type);
+  const std::size_t row_bytes = static_cast<std::size_t>(columns) * component_bytes(type);
+  const std::size_t stride = view.byteStride > 0 ? view.byteStride : row_bytes;
+  const std::size_t wanted = static_cast<std::size_t>(rows) * stride;
   if (view.byteLength != wanted) throw std::out_of_range("the buffer view is not as long as its accessor");
   Eigen::MatrixXd result(rows, columns);
-  std::size_t at = view.byteOffset;
   for (Eigen::Index row = 0; row < rows; ++row) {
+    std::size_t at = view.byteOffset + static_cast<std::size_t>(row) * stride;
     for (int column = 0; column < columns; ++column, at += component_bytes(type)) {
       result(row, column) = component(data, at, type);
     }
   }
   return result;
+}
+
+/// What stands for 1 among the integers of a type.
+double largest_of(int type) {
+  return std::exp2(8.0 * static_cast<double>(component_bytes(type)) - 1) - 1;
 }
 
 }  // namespace
@@ -68,7 +80,9 @@ Eigen::MatrixXd rows_of(const tinygltf::Model& model, int index) {
   const auto count = static_cast<Eigen::Index>(accessor.count);
   const int columns = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
   if (!accessor.sparse.isSparse) {
-    return view_rows(model, accessor.bufferView, count, columns, accessor.componentType);
+    const Eigen::MatrixXd rows =
+        view_rows(model, accessor.bufferView, count, columns, accessor.componentType);
+    return accessor.normalized ? (rows / largest_of(accessor.componentType)).cwiseMax(-1) : rows;
   }
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count, columns);
   const auto& sparse = accessor.sparse;

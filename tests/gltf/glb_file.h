@@ -13,7 +13,8 @@ namespace flexkey::testing {
 /// Reads a GLB with tinygltf; a failure fails the test. Images stay undecoded.
 tinygltf::Model load_glb(const std::filesystem::path& path);
 
-/// All rows of an accessor of any component type, sparse ones filled in: #rows x components.
+/// All rows of an accessor of any component type, sparse ones filled in and normalized
+/// integers as the numbers that they stand for: #rows x components.
 Eigen::MatrixXd rows_of(const tinygltf::Model& model, int accessor);
 
 /// Bytes that an accessor takes in the buffer.

@@ -35,7 +35,7 @@ Material textured(const std::string& name, const std::string& texture) {
 class Materials : public ::testing::Test {
  protected:
   void save(const Mesh& mesh) {
-    GltfOptions options;
+    GltfOptions options = exact();
     options.texture_folder = folder_.path();
     report_ = write_glb(clip_of(mesh, 3, bump), options, folder_ / "shot.glb");
     model_ = load_glb(folder_ / "shot.glb");

@@ -26,7 +26,7 @@ TEST(Normals, FollowTheSurfaceInEveryFrame) {
     return Vec3(p.x(), p.y(), 0.05 * k * std::sin(5 * p.x()) * std::cos(4 * p.y()));
   });
   const TemporaryFolder folder;
-  const GltfReport report = write_glb(clip, {}, folder / "shot.glb");
+  const GltfReport report = write_glb(clip, exact(), folder / "shot.glb");
   const tinygltf::Model model = load_glb(folder / "shot.glb");
   const std::vector<int> vertices = split_primitives(clip.mesh)[0].vertices;
   double sum = 0;
@@ -82,7 +82,7 @@ std::vector<Vec3> normals_at(const tinygltf::Model& model, const Vec3& place, st
 
 void expect_one_normal(const Clip& clip) {
   const TemporaryFolder folder;
-  write_glb(clip, {}, folder / "shot.glb");
+  write_glb(clip, exact(), folder / "shot.glb");
   const tinygltf::Model model = load_glb(folder / "shot.glb");
   for (std::size_t frame = 0; frame < clip.frames.size(); ++frame) {
     const std::vector<Vec3> normals = normals_at(model, {0.5, 0.5, 0}, frame);
@@ -121,7 +121,7 @@ TEST(Normals, AreInEveryTargetOrNowhere) {
   const Clip clip = clip_of(cube(), 4, [](const Vec3& p, int k) { return k == 1 ? p : twist(p, k); });
   const TemporaryFolder folder;
   for (const bool normals : {true, false}) {
-    GltfOptions options;
+    GltfOptions options = exact();
     options.normals = normals;
     write_glb(clip, options, folder / "shot.glb");
     const tinygltf::Model model = load_glb(folder / "shot.glb");

@@ -34,7 +34,7 @@ double playback_error(const Clip& clip, const tinygltf::Model& model, double fra
   return largest;
 }
 
-tinygltf::Model written(const Clip& clip, const GltfOptions& options = {}) {
+tinygltf::Model written(const Clip& clip, const GltfOptions& options = exact()) {
   const TemporaryFolder folder;
   write_glb(clip, options, folder / "shot.glb");
   return load_glb(folder / "shot.glb");
@@ -81,7 +81,7 @@ TEST(Playback, AVertexThatReturnsIsBitForBitAtRest) {
 TEST(Playback, ReportsTheErrorThatAReaderFinds) {
   const Clip clip = clip_of(cube(), 20, twist);
   const TemporaryFolder folder;
-  const GltfReport report = write_glb(clip, {}, folder / "shot.glb");
+  const GltfReport report = write_glb(clip, exact(), folder / "shot.glb");
   const tinygltf::Model model = load_glb(folder / "shot.glb");
   double largest = 0;
   for (int k = 0; k < 20; ++k) largest = std::max(largest, playback_error(clip, model, k));

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numeric>
+
+#include "flexkey/gltf/basis.h"
 #include "flexkey/gltf/write_glb.h"
 #include "flexkey/mesh/error.h"
 #include "gltf/clips.h"
@@ -14,12 +17,23 @@ struct Sizes {
   double estimated, actual;  // bytes
 };
 
+GlbContents contents_of(const Clip& clip, const GltfOptions& options) {
+  const Asset asset = asset_of(clip, options);
+  std::vector<int> numbers(clip.frames.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  Targets targets{frame_basis({clip.frames, clip.mesh.positions, numbers}).targets, {}};
+  for (const Positions& frame : clip.frames) {
+    if (!asset.normals) break;
+    targets.normals.emplace_back(asset.normals->at(frame).cast<float>() - asset.rest.normals);
+  }
+  return count_contents(asset, targets);
+}
+
 Sizes sizes_of(const Clip& clip, bool normals) {
   const TemporaryFolder folder;
-  GltfOptions options;
+  GltfOptions options = exact();
   options.normals = normals;
-  GlbContents contents = count_contents(clip, split_primitives(clip.mesh));
-  contents.normals = normals;
+  const GlbContents contents = contents_of(clip, options);
   const GltfReport report = write_glb(clip, options, folder / "shot.glb");
   EXPECT_EQ(report.bytes, std::filesystem::file_size(folder / "shot.glb"));
   return {static_cast<double>(estimate_glb_bytes(contents)), static_cast<double>(report.bytes)};
@@ -40,7 +54,7 @@ TEST(SizeEstimate, CountsVerticesThatMoveAndTheirNeighbours) {
   const Clip clip = clip_of(mesh, 3, [](const Vec3& p, int k) {
     return k == 2 && p.x() > 0.95 && p.y() > 0.95 ? Vec3(p + Vec3(0, 0, 1)) : p;
   });
-  const GlbContents contents = count_contents(clip, split_primitives(clip.mesh));
+  const GlbContents contents = contents_of(clip, exact());
   EXPECT_EQ(contents.vertices, 121);
   EXPECT_EQ(contents.triangles, 200);
   EXPECT_EQ(contents.frames, 3);
@@ -50,7 +64,7 @@ TEST(SizeEstimate, CountsVerticesThatMoveAndTheirNeighbours) {
 
 GlbContents many(std::int64_t vertices, std::int64_t frames, std::int64_t moved) {
   GlbContents contents;
-  contents.frames = frames;
+  contents.frames = contents.targets = frames;
   contents.primitives = 1;
   contents.vertices = vertices;
   contents.triangles = 2 * vertices;

@@ -8,7 +8,7 @@
 namespace flexkey::testing {
 namespace {
 
-tinygltf::Model written(const Clip& clip, const GltfOptions& options = {}) {
+tinygltf::Model written(const Clip& clip, const GltfOptions& options = exact()) {
   const TemporaryFolder folder;
   write_glb(clip, options, folder / "shot.glb");
   return load_glb(folder / "shot.glb");
@@ -115,7 +115,7 @@ Mesh scattered_triangles(int count) {
 }
 
 int index_type(const Mesh& mesh) {
-  GltfOptions plain;
+  GltfOptions plain = exact();
   plain.normals = false;
   const tinygltf::Model model = written(clip_of(mesh, 1, stay), plain);
   return accessor(model, model.meshes[0].primitives[0].indices).componentType;

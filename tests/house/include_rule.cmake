@@ -10,7 +10,7 @@ set(cli_may "mesh;timeline;deform;animate;gltf;preview;cli")
 
 # Third-party headers by the one stage whose .cpp files may name them.
 set(third_party
-  "tiny_obj_loader=mesh" "yaml-cpp/=timeline" "metis=deform" "cholmod=deform" "tbb/=deform|animate|cli"
+  "tiny_obj_loader=mesh" "yaml-cpp/=timeline" "metis=deform" "cholmod=deform" "tbb/=deform|animate|gltf|cli"
   "tiny_gltf=gltf" "opensubdiv/=preview" "embree=preview" "OpenImageIO=preview" "CLI/=cli" "xxhash=cli"
   "nlohmann=gltf|cli" "fmt/=mesh|timeline|deform|animate|gltf|preview|cli")
 

@@ -249,5 +249,33 @@ TEST(Output, Forms) {
   EXPECT_EQ(GltfOutput().max_targets, 200);
 }
 
+GltfOutput gltf_of(const std::string& keys) {
+  return parse(with_base("output: {gltf: {path: a.glb" + keys + "}}\n")).gltf;
+}
+
+TEST(Output, AProfileIsAPresetOfBasisAndEncoding) {
+  using Basis = GltfOutput::Basis;
+  using Encoding = GltfOutput::Encoding;
+  const auto choices = [](const std::string& keys) {
+    return std::pair(gltf_of(keys).basis, gltf_of(keys).encoding);
+  };
+  EXPECT_EQ(choices(""), std::pair(Basis::knots, Encoding::floats));
+  EXPECT_EQ(choices(", profile: compat"), std::pair(Basis::knots, Encoding::floats));
+  EXPECT_EQ(choices(", profile: web"), std::pair(Basis::pca, Encoding::meshopt));
+  EXPECT_EQ(choices(", profile: exact"), std::pair(Basis::frames, Encoding::floats));
+  EXPECT_EQ(choices(", encoding: float, profile: web"), std::pair(Basis::pca, Encoding::floats));
+  EXPECT_EQ(choices(", basis: frames, encoding: meshopt"), std::pair(Basis::frames, Encoding::meshopt));
+  EXPECT_DOUBLE_EQ(gltf_of("").tolerance, 1e-3);
+  EXPECT_DOUBLE_EQ(gltf_of(", tolerance: 0.5%").tolerance, 5e-3);
+}
+
+TEST(Output, ClipsAreNamedTimes) {
+  const Shot shot = parse(with_base("clips: {walk: [0s, 1s], jump: [1s, 36f]}\n"));
+  ASSERT_EQ(shot.clips.size(), 2u);
+  EXPECT_EQ(shot.clips[1].name, "jump");
+  EXPECT_DOUBLE_EQ(shot.clips[1].time.from, 1);
+  EXPECT_DOUBLE_EQ(shot.clips[1].time.to, 1.5);
+}
+
 }  // namespace
 }  // namespace flexkey

@@ -1,0 +1,35 @@
+#include "cli/gltf_options.h"
+
+namespace flexkey::cli {
+namespace {
+
+BasisKind basis_of(GltfOutput::Basis basis) {
+  switch (basis) {
+    case GltfOutput::Basis::knots:
+      return BasisKind::knots;
+    case GltfOutput::Basis::pca:
+      return BasisKind::pca;
+    case GltfOutput::Basis::frames:
+      break;
+  }
+  return BasisKind::frames;
+}
+
+}  // namespace
+
+GltfOptions gltf_options(const Shot& run, const LoadedShot& loaded) {
+  const GltfOutput& output = run.gltf;
+  GltfOptions options;
+  options.basis = basis_of(output.basis);
+  options.encoding = output.encoding == GltfOutput::Encoding::meshopt ? Encoding::meshopt : Encoding::floats;
+  options.tolerance = output.tolerance;
+  options.normals = output.normals;
+  options.max_targets = output.max_targets;
+  for (const NamedInterval& clip : run.clips)
+    options.clips.push_back({clip.name, clip.time.from, clip.time.to});
+  options.hash = loaded.hash;
+  options.texture_folder = loaded.mesh_path.parent_path();
+  return options;
+}
+
+}  // namespace flexkey::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "flexkey/animate/clip.h"
+#include "flexkey/gltf/primitives.h"
+#include "flexkey/gltf/shape.h"
+#include "flexkey/gltf/textures.h"
+#include "flexkey/gltf/write_glb.h"
+
+namespace flexkey {
+
+/// What a file shows of the clip beside its motion.
+struct Asset {
+  const Clip& clip;
+  std::vector<Primitive> primitives;
+  TextureSet textures;
+  std::optional<SeamlessNormals> normals;  // none: the file has no normals
+  Shape rest;                              // a row a vertex of the mesh
+};
+
+/// Splits the clip's mesh and reads its textures. The clip has to outlive what it returns.
+Asset asset_of(const Clip& clip, const GltfOptions& options);
+
+}  // namespace flexkey

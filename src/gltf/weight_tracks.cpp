@@ -1,0 +1,71 @@
+#include "flexkey/gltf/weight_tracks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "flexkey/mesh/error.h"
+
+namespace flexkey {
+namespace {
+
+void add_key(WeightTrack& track, double time, const Eigen::RowVectorXf& weights) {
+  track.times.push_back(time);
+  track.weights.conservativeResize(track.weights.rows() + 1, weights.size());
+  track.weights.bottomRows(1) = weights;
+}
+
+/// The keys' times, seconds from the clip's first frame.
+std::vector<double> key_times(const Clip& clip, const Basis& basis) {
+  std::vector<double> times;
+  for (const double key : basis.keys) times.push_back((key - clip.reports.front().frame) / clip.fps);
+  return times;
+}
+
+Eigen::RowVectorXf weights_at_second(const Clip& clip, const Basis& basis, double second) {
+  return weights_at(basis, std::array{clip.reports.front().frame + second * clip.fps}).cast<float>();
+}
+
+/// from, to: seconds from the clip's first frame.
+WeightTrack track_of(const Clip& clip, const Basis& basis, double from, double to) {
+  WeightTrack track;
+  add_key(track, 0, weights_at_second(clip, basis, from));
+  const std::vector<double> times = key_times(clip, basis);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (times[k] > from && times[k] < to)
+      add_key(track, times[k] - from, basis.weights.row(static_cast<Eigen::Index>(k)));
+  }
+  if (to > from) add_key(track, to - from, weights_at_second(clip, basis, to));
+  return track;
+}
+
+WeightTrack track_of(const Clip& clip, const Basis& basis, const ClipRange& range) {
+  const double first = clip.reports.front().frame / clip.fps, last = clip.reports.back().frame / clip.fps;
+  const double from = std::max(range.from, first), to = std::min(range.to, last);
+  if (from > to) {
+    throw InputError(
+        fmt::format("clip '{}' from {} s to {} s has no frame: those written go from {} s to {} s",
+                    range.name, range.from, range.to, first, last));
+  }
+  WeightTrack track = track_of(clip, basis, from - first, to - first);
+  track.name = range.name;
+  return track;
+}
+
+}  // namespace
+
+std::vector<WeightTrack> weight_tracks(const Clip& clip, const Basis& basis,
+                                       const std::vector<ClipRange>& ranges) {
+  std::vector<WeightTrack> tracks;
+  for (const ClipRange& range : ranges) tracks.push_back(track_of(clip, basis, range));
+  if (ranges.empty()) {
+    WeightTrack& whole = tracks.emplace_back();
+    whole.name = clip.name;
+    whole.times = key_times(clip, basis);
+    whole.weights = basis.weights;
+  }
+  return tracks;
+}
+
+}  // namespace flexkey
