@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -89,12 +90,28 @@ void add_study_bars(Table& table, const Study& study) {
       converged_share(study, [](const Setting& s) { return s.lambda < 1; }));
 }
 
+void add_gltf_bars(Table& table, const GltfResult& result) {
+  const bool is_long = result.frames >= 240;
+  const std::string clip = fmt::format("{}, {} frames", result.name, result.frames);
+  const auto compat = static_cast<double>(result.compat.report.bytes);
+  const auto web = static_cast<double>(result.web.report.bytes);
+  add(table, fmt::format("{}: dense / compat", clip), Sense::at_least, is_long ? 3 : 2,
+      result.dense / compat);
+  add(table, fmt::format("{}: dense / web", clip), Sense::at_least, is_long ? 25 : 12, result.dense / web);
+  if (result.gltfpack > 0)
+    add(table, fmt::format("{}: gltfpack -cc / web", clip), Sense::at_least, 4, result.gltfpack / web);
+  if (is_long)
+    add(table, fmt::format("{}: web's export, CPU seconds", clip), Sense::at_most,
+        std::max(5.0, result.solve_seconds), result.web.seconds);
+}
+
 }  // namespace
 
 Table bar_table(const Results& results) {
   Table table{.title = "The bars", .header = {"bar", "sense", "is", "reached", "met"}};
   for (const PeerResult& result : results.peers) add_peer_bars(table, result);
   if (results.study) add_study_bars(table, *results.study);
+  for (const GltfResult& result : results.gltf) add_gltf_bars(table, result);
   if (results.limit) {
     add(table, "a global solve against reading its factor twice", Sense::at_most, 3,
         results.limit->solve / results.limit->bound());
@@ -117,6 +134,7 @@ std::vector<Table> all_tables(const Results& results) {
     if (!results.study->shots.empty()) tables.push_back(shot_table(*results.study));
     tables.push_back(honesty_table(*results.study));
   }
+  if (!results.gltf.empty()) tables.push_back(gltf_table(results.gltf));
   tables.push_back(bar_table(results));
   return tables;
 }

@@ -12,7 +12,7 @@
 namespace flexkey::bench {
 namespace {
 
-const std::vector<std::string> all_parts{"peers", "threads", "limit", "solves"};
+const std::vector<std::string> all_parts{"peers", "threads", "limit", "solves", "gltf"};
 
 struct Options {
   std::vector<std::string> parts = all_parts;
@@ -67,6 +67,10 @@ Results measure(const Options& options) {
   if (options.wants("solves")) {
     say("counting solves");
     results.study = study_solves(options.timelines, options.quick ? Scenes::bars_and_blob : Scenes::all);
+  }
+  if (options.wants("gltf")) {
+    say("writing glTF");
+    results.gltf = measure_gltf(options.timelines);
   }
   return results;
 }

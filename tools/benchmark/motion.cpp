@@ -101,6 +101,13 @@ Ends blob_ends(int size) {
   return ends;
 }
 
+/// By 90° and 30 % at the end of its way.
+Path bent_and_stretched(const Ends& ends) {
+  const Vec3 tip = centre_of(ends.mesh, ends.moved);
+  const double length = tip.z() - centre_of(ends.mesh, ends.held).z();
+  return [=](double s) { return bent(quarter_turn * s, (1 + 0.3 * s) * length, length, tip); };
+}
+
 }  // namespace
 
 std::vector<Motion> bar_motions(const std::filesystem::path& bar) {
@@ -121,10 +128,16 @@ std::vector<Motion> bar_motions(const std::filesystem::path& bar) {
 
 Motion blob_motion(int size) {
   const Ends ends = blob_ends(size);
-  const Vec3 tip = centre_of(ends.mesh, ends.moved);
-  const double length = tip.z() - centre_of(ends.mesh, ends.held).z();
-  return along("blob", ends, 60,
-               [&](double s) { return bent(quarter_turn * s, (1 + 0.3 * s) * length, length, tip); });
+  return along("blob", ends, 60, bent_and_stretched(ends));
+}
+
+Motion blob_there_and_back(int size, int frames) {
+  const Ends ends = blob_ends(size);
+  const Path out = bent_and_stretched(ends);
+  const auto eased = [](double s) { return 0.5 - 0.5 * std::cos(2 * std::numbers::pi * s); };
+  Motion motion = along("blob", ends, frames - 1, [&](double s) { return out(eased(s)); });
+  motion.frames.insert(motion.frames.begin(), targets_on(ends, motion.constraints, out(0), out(0)));
+  return motion;
 }
 
 Motion shot_motion(const std::filesystem::path& timeline) {

@@ -25,6 +25,10 @@ std::vector<Motion> bar_motions(const std::filesystem::path& bar);
 /// by 30 % over 60 frames.
 Motion blob_motion(int size);
 
+/// The same blob bent and stretched by so much and back in this many frames, with an ease in and out; the
+/// first frame is at rest.
+Motion blob_there_and_back(int size, int frames);
+
 /// The frames of a timeline's shot in which its handles move. Throws Error if it cannot be read, or turns
 /// faster than one solve a frame may follow.
 Motion shot_motion(const std::filesystem::path& timeline);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "gltf.h"
 #include "limit.h"
 #include "peers.h"
 #include "study.h"
@@ -22,6 +23,7 @@ struct Results {
   std::optional<ThreadTimes> threads;
   std::optional<Limit> limit;
   std::optional<Study> study;
+  std::vector<GltfResult> gltf;
 };
 
 Table peer_table(const std::vector<PeerResult>& peers);
@@ -33,6 +35,9 @@ Table start_table(const Study& study);
 Table scene_table(const Study& study);
 Table shot_table(const Study& study);
 Table honesty_table(const Study& study);
+
+/// Targets, bytes and errors of the sample clips' files.
+Table gltf_table(const std::vector<GltfResult>& results);
 
 /// What flexkey has set itself to reach, beside what was measured.
 Table bar_table(const Results& results);

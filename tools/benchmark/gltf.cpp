@@ -1,0 +1,130 @@
+#include "gltf.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <system_error>
+
+#include "flexkey/animate/animate.h"
+#include "flexkey/mesh/error.h"
+#include "flexkey/mesh/read_mesh.h"
+#include "flexkey/timeline/parse.h"
+#include "motion.h"
+
+namespace flexkey::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int blob_cells = 50;  // 10,002 vertices
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double seconds_of(const std::function<void()>& work) {
+  const double start = cpu_seconds();
+  work();
+  return cpu_seconds() - start;
+}
+
+/// A folder that is removed with the object.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "flexkey-bench-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw Error("bench: no temporary folder");
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  fs::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+Clip solve_blob(int frames) {
+  const Motion motion = blob_there_and_back(blob_cells, frames);
+  const Deformer deformer(motion.mesh, motion.constraints, {});
+  Clip clip;
+  clip.name = "blob";
+  clip.mesh = motion.mesh;
+  Pose pose = deformer.rest_pose();
+  for (const Targets& targets : motion.frames) {
+    const SolveReport report = deformer.solve(targets, 0.5, pose);
+    clip.reports.push_back({.frame = static_cast<int>(clip.frames.size()),
+                            .lambda = 0.5,
+                            .solves = report.solves,
+                            .estimate = report.estimate,
+                            .converged = report.converged});
+    clip.frames.push_back(pose.positions);
+  }
+  return clip;
+}
+
+Clip solve_shot(const fs::path& timeline) {
+  const Shot shot = parse_shot(read_timeline(timeline), timeline).shot;
+  return animate(shot, read_mesh(timeline.parent_path() / shot.mesh.file).mesh);
+}
+
+Written write(const Clip& clip, const GltfOptions& options, const fs::path& path) {
+  Written written;
+  written.seconds = seconds_of([&] { written.report = write_glb(clip, options, path); });
+  return written;
+}
+
+/// Bytes that gltfpack makes of a file, 0 where it is not installed.
+double packed(const fs::path& dense, const fs::path& path) {
+  const std::string command = fmt::format(
+      "node tools/benchmark/node_modules/.bin/gltfpack -cc -kn -i '{}' -o '{}' "
+      ">/dev/null 2>&1",
+      dense.string(), path.string());
+  std::error_code missing;
+  if (std::system(command.c_str()) != 0) return 0;  // NOLINT(concurrency-mt-unsafe): nothing else runs
+  const std::uintmax_t bytes = fs::file_size(path, missing);
+  return missing ? 0 : static_cast<double>(bytes);
+}
+
+GltfResult measure_clip(const std::string& name, const std::function<Clip()>& solve) {
+  GltfResult result;
+  Clip clip;
+  result.solve_seconds = seconds_of([&] { clip = solve(); });
+  const Scratch scratch;
+  GltfOptions dense, web;
+  dense.basis = BasisKind::frames;
+  dense.max_targets = static_cast<int>(clip.frames.size());
+  web.basis = BasisKind::pca;
+  web.encoding = Encoding::meshopt;
+  const GltfReport whole = write_glb(clip, dense, scratch / "dense.glb");
+  result.name = name;
+  result.frames = static_cast<int>(clip.frames.size());
+  result.vertices = whole.vertices;
+  constexpr double floats = 4, numbers = 6;  // of a position and a normal
+  result.dense = floats * numbers * whole.vertices * (1.0 + result.frames);
+  result.compat = write(clip, {}, scratch / "compat.glb");
+  result.web = write(clip, web, scratch / "web.glb");
+  result.gltfpack = packed(scratch / "dense.glb", scratch / "packed.glb");
+  return result;
+}
+
+}  // namespace
+
+std::vector<GltfResult> measure_gltf(const fs::path& timelines) {
+  std::vector<GltfResult> results;
+  for (const int frames : {100, 240})
+    results.push_back(measure_clip("blob", [&] { return solve_blob(frames); }));
+  for (const char* shot : {"nose", "leg", "jaw", "twist"}) {
+    const fs::path timeline = timelines / fmt::format("{}.yaml", shot);
+    results.push_back(measure_clip(shot, [&] { return solve_shot(timeline); }));
+  }
+  return results;
+}
+
+}  // namespace flexkey::bench
