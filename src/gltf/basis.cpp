@@ -60,15 +60,16 @@ double largest_error(const Basis& basis, const Motion& motion) {
 Basis with_weights_in_unit_range(const Basis& basis) {
   const Eigen::MatrixXf& weights = basis.weights;
   if (weights.size() == 0 || (weights.minCoeff() >= 0 && weights.maxCoeff() <= 1)) return basis;
-  const Eigen::RowVectorXf low = weights.colwise().minCoeff().cwiseMin(0);
-  const Eigen::RowVectorXf range = weights.colwise().maxCoeff() - low;
+  const Eigen::RowVectorXf low = weights.colwise().minCoeff().cwiseMin(0.0F);
+  const Eigen::RowVectorXf high = weights.colwise().maxCoeff().cwiseMax(1.0F);
   Basis mapped = basis;
   FloatRows mean = FloatRows::Zero(basis.targets[0].rows(), 3);
   for (std::size_t t = 0; t < basis.targets.size(); ++t) {
     const auto column = static_cast<Eigen::Index>(t);
+    const float range = high[column] - low[column];
     mean += low[column] * basis.targets[t];
-    mapped.targets[t] *= range[column];
-    mapped.weights.col(column) = (weights.col(column).array() - low[column]) / range[column];
+    mapped.targets[t] *= range;
+    mapped.weights.col(column) = ((weights.col(column).array() - low[column]) / range).cwiseMin(1.0F);
   }
   mapped.targets.push_back(std::move(mean));
   mapped.names.emplace_back("mean");

@@ -13,9 +13,10 @@ namespace flexkey {
 namespace {
 
 // Shares of the tolerance. What is left is for rounding to floats.
+constexpr double kLeastShare = 0.1;   // of plans; below it only rounding is left
 constexpr double kStillShare = 0.05;  // a vertex that moves less is at rest
 constexpr double kKeyShare = 0.02;    // keys that change less are left out
-constexpr double kPlanShare = 0.96;   // what plans may use
+constexpr double kPlanShare = 0.96;   // what plans may use at first; less where floats take more
 
 /// What floats can tell apart at the motion's coordinates, summed over base, targets and their sum.
 double rounding_of(const Motion& motion, double reach) {
@@ -120,13 +121,14 @@ Basis fitted_basis(const Motion& motion, double tolerance, const BasisPlanner& p
 
   const Fitting fitting(motion, reaches, still);
   std::set<int> sample = first_sample(reaches, still);
-  for (;;) {
+  for (double share = kPlanShare;;) {
     const std::vector<int> vertices(sample.begin(), sample.end());
     const ShapeRows shapes = deltas_of(motion, vertices);
-    Trial trial = fitting.fit(thinned(planner(shapes, kPlanShare * bound), shapes, kKeyShare * bound), bound);
+    Trial trial = fitting.fit(thinned(planner(shapes, share * bound), shapes, kKeyShare * bound), bound);
     const std::size_t before = sample.size();
     sample.insert(trial.beyond.begin(), trial.beyond.end());
-    if (sample.size() == before) return std::move(trial.basis);
+    if (sample.size() == before) share *= 0.8;
+    if (trial.beyond.empty() || share < kLeastShare) return std::move(trial.basis);
   }
 }
 

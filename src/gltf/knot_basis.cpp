@@ -30,18 +30,18 @@ std::vector<std::size_t> last_visits(const Walk& walk, Eigen::Index frames) {
   return last;
 }
 
-/// Each frame at its nearest place of its way, #frames x #nodes; at its node where that was made of it.
+/// Each frame at its nearest place of its way, #frames x #nodes.
 Eigen::MatrixXd places_on(const Walk& walk, const ShapeRows& nodes, const ShapeRows& shapes) {
   const std::vector<std::size_t> last = last_visits(walk, shapes.rows());
   Eigen::MatrixXd places = Eigen::MatrixXd::Zero(shapes.rows(), nodes.rows());
   for (Eigen::Index frame = 0; frame < shapes.rows(); ++frame) {
     const std::size_t visit = last[static_cast<std::size_t>(frame)];
     const int from = walk.visits[visit].node;
-    if (walk.origin[static_cast<std::size_t>(from)] == frame) {
+    if (walk.visits[visit].frame == static_cast<double>(frame)) {
       places(frame, from) = 1;
       continue;
     }
-    const int to = walk.visits[visit + 1].node;
+    const int to = walk.visits[visit + 1].towards;
     const double share = share_of_way(shapes.row(frame), nodes.row(from), nodes.row(to));
     places(frame, from) = 1 - share;
     places(frame, to) += share;

@@ -9,7 +9,7 @@
 
 namespace flexkey {
 
-/// The solved frames of a mesh, as morph targets are to play them.
+/// The solved frames of a mesh, as morph targets are to play them: at least one frame and one vertex.
 struct Motion {
   std::span<const Positions> frames;  // #frames of #V x 3, file units
   const Positions& rest;              // #V x 3, what clients add the targets to, after rounding to floats

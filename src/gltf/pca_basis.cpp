@@ -72,7 +72,7 @@ struct Components {
 };
 
 Components find_components(const ShapeRows& shapes, double tolerance) {
-  constexpr int rounds = 10;
+  constexpr int rounds = 5;
   Importance importance{Eigen::VectorXd::Ones(shapes.rows()), Eigen::VectorXd::Ones(shapes.cols() / 3)};
   Components best;
   for (int round = 0; round < rounds; ++round) {

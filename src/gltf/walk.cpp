@@ -18,7 +18,7 @@ class Walker {
 
   Walk walk() {
     if (largest_length(shapes_.row(0)) <= reach_) {
-      walk_.visits.push_back({0, kRestNode});
+      walk_.visits.push_back({-1, kRestNode, kRestNode});
     } else {
       make_node(0);
     }
@@ -48,7 +48,8 @@ class Walker {
   }
 
   void make_node(int frame) {
-    walk_.visits.push_back({static_cast<double>(frame), static_cast<int>(nodes_.size())});
+    const int node = static_cast<int>(nodes_.size());
+    walk_.visits.push_back({static_cast<double>(frame), node, node});
     walk_.origin.push_back(frame);
     nodes_.emplace_back(shapes_.row(frame));
     next_ = frame + 1;
@@ -81,24 +82,26 @@ class Walker {
     return good;
   }
 
-  /// The visit to a node between the last frame of a way and the first that is not on it.
-  std::optional<Visit> crossing(int frame, int node) const {
+  /// When a node is met at the last frame of a way, or between it and the first that is not on the way.
+  std::optional<double> crossing(int frame, int node) const {
+    constexpr double soonest = 0.01;  // frames between two keys, so that their times differ as floats too
     const auto before = shapes_.row(frame - 1), after = shapes_.row(frame);
     const double to = (shape_of(node) - before).norm(), from = (after - shape_of(node)).norm();
-    if (to + from == 0) return std::nullopt;
-    const double share = std::clamp(to / (to + from), 0.05, 0.95);
-    const ShapeRow off = shape_of(node) - (1 - share) * before - share * after;
+    const double share = to > 0 ? to / (to + from) : 0;
+    const bool is_between = share >= soonest && share <= 1 - soonest;
+    const double when = is_between ? frame - 1 + share : frame - 1;
+    const ShapeRow off = shape_of(node) - before - (when - (frame - 1)) * (after - before);
     if (largest_length(off) > reach_) return std::nullopt;
-    return Visit{frame - 1 + share, node};
+    return when;
   }
 
   std::optional<Way> way_to(int node) const {
     int next = next_;
     while (next < frames_ && is_on_way(next, shape_of(node))) ++next;
     if (next == next_) return std::nullopt;
-    if (next == frames_) return Way{{static_cast<double>(frames_), node}, next};
+    if (next == frames_) return Way{{static_cast<double>(frames_), node, node}, next};
     for (const int end : {node, here()}) {
-      if (const std::optional<Visit> visit = crossing(next, end)) return Way{*visit, next};
+      if (const std::optional<double> when = crossing(next, end)) return Way{{*when, end, node}, next};
     }
     return std::nullopt;
   }

@@ -14,10 +14,12 @@ double share_of_way(const Eigen::Ref<const ShapeRow>& shape, const Eigen::Ref<co
 /// Rest; every other node of a walk is a target.
 constexpr int kRestNode = 0;
 
-/// When a walk is at a node.
+/// When a walk is at a node. The frames since the visit before lie on the way from that one's node.
 struct Visit {
-  double frame = 0;  // index of a frame, or between two
+  double frame = 0;  // index of a frame, which is then at the node, or between two
   int node = kRestNode;
+  int towards =
+      kRestNode;  // where the way leads: the node, or where the motion turned on its way and came back
 };
 
 /// A motion as a walk over straight ways between a few shapes, its nodes: a frame between two visits is a
@@ -26,7 +28,7 @@ struct Visit {
 struct Walk {
   std::vector<int> origin;  // #nodes, the frame whose shape the node has at first; -1 for rest
   std::vector<Visit>
-      visits;  // increasing frames; the first is at frame 0, the last at the last frame or after
+      visits;  // increasing frames; the first is at frame 0 or before, the last at the last or after
 };
 
 /// Walks greedily, each new node as far ahead as the way to it stays near the frames.
