@@ -27,6 +27,8 @@ namespace flexkey {
 namespace {
 
 constexpr int kManyTargets = 128;
+// Normals that never turn by a tenth of a degree stay as they are at rest.
+constexpr double kStillNormal = 0.0017;
 constexpr std::uintmax_t kGpuBytes = 32;  // of a target's position and normal in a client's texture
 
 /// How much of the tolerance the basis may spend, and how much the integers do, as a distance that they add
@@ -57,7 +59,7 @@ Basis basis_of(const Motion& motion, const GltfOptions& options, double toleranc
 
 std::vector<FloatRows> normal_targets(const Asset& asset, const Basis& basis, std::span<const int> numbers) {
   const auto normals_of = [&](std::size_t frame) { return asset.normals->at(asset.clip.frames[frame]); };
-  return fit_targets(basis, numbers, asset.normals->at(asset.clip.mesh.positions), normals_of);
+  return fit_targets(basis, numbers, asset.normals->at(asset.clip.mesh.positions), normals_of, kStillNormal);
 }
 
 void require_allowed(const Basis& basis, const GltfOptions& options) {
