@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <functional>
 #include <random>
 
 #include "motions.h"
