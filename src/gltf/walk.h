@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "flexkey/gltf/motion.h"
@@ -20,6 +21,7 @@ struct Visit {
   int node = kRestNode;
   int towards =
       kRestNode;  // where the way leads: the node, or where the motion turned on its way and came back
+  bool is_between_frames() const { return frame != std::floor(frame); }
 };
 
 /// A motion as a walk over straight ways between a few shapes, its nodes: a frame between two visits is a
