@@ -67,9 +67,14 @@ std::vector<Solved> solve(const LoadedShot& loaded, std::span<const Shot> runs, 
   return solved;
 }
 
-void write(Solved& solved, const Shot& run, const LoadedShot& loaded, const std::filesystem::path& path) {
+void write(Solved& solved, const Shot& run, const LoadedShot& loaded, const std::filesystem::path& path,
+           Verbosity verbosity) {
   const Stopwatch watch;
-  solved.report.written.push_back({path, write_glb(solved.clip, gltf_options(run, loaded), path)});
+  GltfOptions options = gltf_options(run, loaded);
+  const int frames = static_cast<int>(solved.clip.frames.size());
+  Progress progress(frames, verbosity, "Writing");
+  options.on_progress = [&](double share) { progress.reach(static_cast<int>(share * frames)); };
+  solved.report.written.push_back({path, write_glb(solved.clip, options, path)});
   solved.report.write_seconds = watch.seconds();
 }
 
@@ -108,8 +113,8 @@ int run_animate(const ShotOptions& options) {
   std::vector<RunReport> reports;
   {
     const int frames = wanted.empty() ? loaded.shot.frame_count() : wanted.back() + 1;
-    Progress progress(frames * static_cast<int>(runs.size()),
-                      options.quiet ? Verbosity::quiet : Verbosity::normal);
+    const Verbosity verbosity = options.quiet ? Verbosity::quiet : Verbosity::normal;
+    Progress progress(frames * static_cast<int>(runs.size()), verbosity);
     for (std::size_t begin = 0; begin < runs.size(); begin += together) {
       const std::span<const Shot> batch =
           std::span(runs).subspan(begin, std::min(together, runs.size() - begin));
@@ -120,7 +125,7 @@ int run_animate(const ShotOptions& options) {
         return stopped_by_signal + noted_signal();
       }
       for (std::size_t k = 0; k < batch.size(); ++k) {
-        write(solved[k], batch[k], loaded, paths[begin + k]);
+        write(solved[k], batch[k], loaded, paths[begin + k], verbosity);
         reports.push_back(std::move(solved[k].report));
       }
     }

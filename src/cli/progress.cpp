@@ -16,8 +16,9 @@ constexpr int bar_width = 28;
 
 }  // namespace
 
-Progress::Progress(int total, Verbosity verbosity)
-    : total_(std::max(1, total)),
+Progress::Progress(int total, Verbosity verbosity, const char* what)
+    : what_(what),
+      total_(std::max(1, total)),
       quiet_(verbosity == Verbosity::quiet),
       terminal_(isatty(STDERR_FILENO) == 1) {}
 
@@ -25,8 +26,8 @@ Progress::~Progress() {
   if (!quiet_ && terminal_ && done_ > 0) say("\r\x1b[K");  // the report follows on a clean line
 }
 
-void Progress::advance() {
-  ++done_;
+void Progress::reach(int done) {
+  done_ = std::max(done_, done);
   if (quiet_) return;
   const Clock::time_point now = Clock::now();
   const bool finished = done_ >= total_;
@@ -38,7 +39,7 @@ void Progress::advance() {
   if (terminal_) {
     draw_bar(std::chrono::duration<double>(now - start_).count());
   } else {
-    say(fmt::format("Progress: {}%\n", percent));
+    say(fmt::format("{}: {}%\n", what_, percent));
   }
 }
 

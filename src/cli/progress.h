@@ -10,17 +10,21 @@ enum class Verbosity { normal, quiet };
 /// `Progress: 37%` lines, at most two a second, as render farms read them.
 class Progress {
  public:
-  Progress(int total, Verbosity verbosity);
+  /// what: the word before the percentage.
+  Progress(int total, Verbosity verbosity, const char* what = "Progress");
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void advance();
+  void advance() { reach(done_ + 1); }
+  /// done: of `total`; never fewer than before.
+  void reach(int done);
 
  private:
   using Clock = std::chrono::steady_clock;
   void draw_bar(double seconds) const;
 
+  const char* what_;
   int total_, done_ = 0, shown_percent_ = -1;
   bool quiet_, terminal_;
   Clock::time_point start_ = Clock::now(), last_shown_{};

@@ -129,7 +129,8 @@ std::vector<double> keys_between(const std::vector<double>& keys, const std::vec
 
 }  // namespace
 
-PlaybackError measure_playback(const tinygltf::Model& model, const Asset& asset, const Basis& basis) {
+PlaybackError measure_playback(const tinygltf::Model& model, const Asset& asset, const Basis& basis,
+                               Steps& steps) {
   std::vector<int> vertices;
   for (const Primitive& primitive : asset.primitives)
     vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
@@ -142,6 +143,7 @@ PlaybackError measure_playback(const tinygltf::Model& model, const Asset& asset,
   const Morphed positions(model, "POSITION");
   each(solved.numbers(), positions, [&](const Positions& right, const Positions& played) {
     sums.add_positions(right(vertices, Eigen::all), played);
+    steps.advance();
   });
   each(keys_between(basis.keys, solved.numbers()), positions,
        [&](const Positions& right, const Positions& played) {
@@ -150,6 +152,7 @@ PlaybackError measure_playback(const tinygltf::Model& model, const Asset& asset,
   if (asset.normals) {
     each(solved.numbers(), Morphed(model, "NORMAL"), [&](const Positions& right, const Positions& played) {
       sums.add_normals(asset.normals->at(right)(vertices, Eigen::all), played);
+      steps.advance();
     });
   }
   return sums.result(bounds_of(asset.clip.mesh.positions).diagonal());

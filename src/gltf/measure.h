@@ -2,6 +2,7 @@
 
 #include "flexkey/gltf/asset.h"
 #include "flexkey/gltf/basis.h"
+#include "flexkey/gltf/steps.h"
 
 namespace tinygltf {
 class Model;
@@ -21,7 +22,9 @@ struct PlaybackError {
 /// Reads base and targets of the model's mesh 0 back from its buffer, adds them up in floats as a client does
 /// with the weights that the basis gives them, and compares that with the solved clip: at every frame, and
 /// positions also at the keys in between, where solved frames are blended linearly. Since file and clip both
-/// go straight from one of these times to the next, nothing plays farther off.
-PlaybackError measure_playback(const tinygltf::Model& model, const Asset& asset, const Basis& basis);
+/// go straight from one of these times to the next, nothing plays farther off. steps: advanced
+/// once a frame for positions, and once for normals.
+PlaybackError measure_playback(const tinygltf::Model& model, const Asset& asset, const Basis& basis,
+                               Steps& steps);
 
 }  // namespace flexkey

@@ -19,6 +19,7 @@
 #include "flexkey/gltf/pca_basis.h"
 #include "flexkey/gltf/quantize.h"
 #include "flexkey/gltf/size_estimate.h"
+#include "flexkey/gltf/steps.h"
 #include "flexkey/gltf/utf8.h"
 #include "flexkey/gltf/weight_tracks.h"
 #include "flexkey/mesh/error.h"
@@ -57,8 +58,12 @@ Basis basis_of(const Motion& motion, const GltfOptions& options, double toleranc
   return frame_basis(motion);
 }
 
-std::vector<FloatRows> normal_targets(const Asset& asset, const Basis& basis, std::span<const int> numbers) {
-  const auto normals_of = [&](std::size_t frame) { return asset.normals->at(asset.clip.frames[frame]); };
+std::vector<FloatRows> normal_targets(const Asset& asset, const Basis& basis, std::span<const int> numbers,
+                                      Steps& steps) {
+  const auto normals_of = [&](std::size_t frame) {
+    steps.advance();
+    return asset.normals->at(asset.clip.frames[frame]);
+  };
   return fit_targets(basis, numbers, asset.normals->at(asset.clip.mesh.positions), normals_of, kStillNormal);
 }
 
@@ -106,7 +111,7 @@ struct Built {
   int keys = 0;
 };
 
-Built build(const Asset& asset, const GltfOptions& options, double strictness) {
+Built build(const Asset& asset, const GltfOptions& options, double strictness, Steps& steps) {
   const Clip& clip = asset.clip;
   const double tolerance = options.tolerance * bounds_of(clip.mesh.positions).diagonal();
   const Budget budget = budget_of(options, strictness);
@@ -116,7 +121,7 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness) {
   require_allowed(basis, options);
   require_one_target(basis, clip.mesh.positions.rows());
   Targets targets;
-  if (asset.normals) targets.normals = normal_targets(asset, basis, numbers);
+  if (asset.normals) targets.normals = normal_targets(asset, basis, numbers, steps);
   targets.positions = std::move(basis.targets);
   check_glb_size(count_contents(asset, targets));
 
@@ -132,7 +137,7 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness) {
   for (const WeightTrack& track : weight_tracks(clip, basis, options.clips))
     append_weights_animation(built.model, track);
   built.keys = static_cast<int>(basis.keys.size());
-  built.error = measure_playback(built.model, asset, basis);
+  built.error = measure_playback(built.model, asset, basis, steps);
   describe(built.model, clip, basis, options, built.error);
   return built;
 }
@@ -140,8 +145,10 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness) {
 /// The integers' largest error is only known once they are there: a budget that proves too large is halved.
 Built build_within_tolerance(const Asset& asset, const GltfOptions& options) {
   constexpr double least_strictness = 1.0 / 16;
+  const std::size_t passes = asset.normals ? 3 : 1;  // over the frames: two fit and measure the normals
+  Steps steps(passes * asset.clip.frames.size(), options.on_progress);
   for (double strictness = 1;; strictness /= 2) {
-    Built built = build(asset, options, strictness);
+    Built built = build(asset, options, strictness, steps);
     const bool is_met = options.basis == BasisKind::frames || built.error.largest <= options.tolerance;
     if (is_met || strictness <= least_strictness) return built;
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct GltfOptions {
   std::filesystem::path
       texture_folder;     // where relative texture paths of materials start: the mesh file's folder
   int max_targets = 200;  // more are an error; WebGL2 guarantees 256
+  std::function<void(double share)> on_progress = {};  // how much of the writing is done, 0..1, increasing
 };
 
 /// "compat", "web", "exact", or the basis and encoding of none of them: "pca float", "knots meshopt".

@@ -148,6 +148,16 @@ TEST_P(Profiles, SayWhatTheyAre) {
   EXPECT_EQ(model_.meshes[0].extras.Get("targetNames").ArrayLen(), model_.meshes[0].weights.size());
 }
 
+TEST_P(Profiles, TellHowMuchIsDone) {
+  GltfOptions told = options(1e-3);
+  std::vector<double> shares;
+  told.on_progress = [&](double share) { shares.push_back(share); };
+  write_glb(curl(20), told, folder_ / "shot.glb");
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  ASSERT_GE(shares.size(), 60u);
+  EXPECT_EQ(shares.back(), 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Profiles, ::testing::ValuesIn(choices), [](const auto& choice) {
   std::string name = choice.param.name;
   std::replace(name.begin(), name.end(), ' ', '_');
