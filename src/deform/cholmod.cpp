@@ -2,6 +2,7 @@
 #include <omp.h>
 
 #include <memory>
+#include <mutex>
 #include <new>
 #include <vector>
 
@@ -120,6 +121,8 @@ void require_memory(const cholmod_common& common) {
 }  // namespace
 
 Permutation fill_reducing_order(const Matrix& symmetric) {
+  static std::mutex one_at_a_time;  // METIS draws from libc's one sequence of random numbers
+  const std::lock_guard lock(one_at_a_time);
   Session session;
   cholmod_sparse view = upper_triangle(symmetric);
   Permutation inverse(symmetric.cols());

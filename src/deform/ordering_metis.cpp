@@ -1,5 +1,6 @@
 #include <metis.h>
 
+#include <mutex>
 #include <new>
 #include <vector>
 
@@ -30,6 +31,8 @@ Graph graph_of(const Eigen::SparseMatrix<double>& symmetric) {
 }  // namespace
 
 Permutation fill_reducing_order(const Eigen::SparseMatrix<double>& symmetric) {
+  static std::mutex one_at_a_time;  // METIS draws from libc's one sequence of random numbers
+  const std::lock_guard lock(one_at_a_time);
   Graph graph = graph_of(symmetric);
   idx_t count = static_cast<idx_t>(symmetric.cols());
   std::vector<idx_t> eliminated(symmetric.cols());

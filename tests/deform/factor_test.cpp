@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <cmath>
+#include <thread>
 #include <vector>
 
 #include "deform/matrices.h"
@@ -120,6 +121,16 @@ TEST(Factor, GivesTheSameBytesWithOneThreadAndMany) {
   const Positions many = factor.solve(b);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(factor.solve(b), many);
+}
+
+TEST(Factor, MadeBesideOthersIsTheOneMadeAlone) {
+  const Positions b = Positions::Random(large().rows(), 3);
+  const Positions alone = Factor(large()).solve(b);
+  std::vector<Positions> beside(4);
+  std::vector<std::thread> threads;
+  for (Positions& x : beside) threads.emplace_back([&] { x = Factor(large()).solve(b); });
+  for (std::thread& thread : threads) thread.join();
+  for (const Positions& x : beside) EXPECT_EQ(x, alone);
 }
 
 TEST(Factor, SolvesABatchAsItSolvesEachAlone) {
