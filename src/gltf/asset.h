@@ -17,7 +17,8 @@ struct Asset {
   std::vector<Primitive> primitives;
   TextureSet textures;
   std::optional<SeamlessNormals> normals;  // none: the file has no normals
-  Shape rest;                              // a row a vertex of the mesh
+  Shape rest;                              // the base as written, a row a vertex of the mesh
+  double texcoord_step = 0;  // of which texture coordinates are written as multiples; 0: as they are
 };
 
 /// Splits the clip's mesh and reads its textures. The clip has to outlive what it returns.

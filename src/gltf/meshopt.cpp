@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "flexkey/gltf/float_grid.h"
 #include "flexkey/gltf/float_rows.h"
 #include "flexkey/mesh/error.h"
 
@@ -19,12 +20,13 @@ using Bytes = std::vector<unsigned char>;
 
 constexpr const char* kExtension = "EXT_meshopt_compression";
 constexpr int kTriangleTarget = 34963;  // ELEMENT_ARRAY_BUFFER
+constexpr int kFloat = 5126;
 constexpr std::size_t kLargestStride = 256;
 
 /// What a buffer view holds, as the extension tells it.
 struct Stream {
   std::size_t count = 0, stride = 0;
-  bool triangles = false;
+  bool triangles = false, floats = false;
 };
 
 std::size_t component_bytes(int type) {
@@ -47,7 +49,7 @@ std::map<std::size_t, Stream> streams_of(const json& asset) {
     const json& view = asset["bufferViews"][index];
     const std::size_t element = component_bytes(accessor["componentType"]) * components(accessor["type"]);
     const Stream stream{accessor["count"], view.value("byteStride", element),
-                        view.value("target", 0) == kTriangleTarget};
+                        view.value("target", 0) == kTriangleTarget, accessor["componentType"] == kFloat};
     if (stream.count * stream.stride == view["byteLength"]) streams[index] = stream;
   }
   return streams;
@@ -71,14 +73,27 @@ Bytes encoded_rows(const unsigned char* data, const Stream& stream) {
   return code;
 }
 
+/// A view's code, and the extension's filter that makes it what it was.
+struct Code {
+  Bytes bytes;
+  const char* filter = nullptr;
+};
+
 /// The view's bytes encoded, where the codec takes them and they get smaller.
-std::optional<Bytes> encoded(std::span<const unsigned char> raw, const Stream& stream) {
+std::optional<Code> encoded(std::span<const unsigned char> raw, const Stream& stream) {
   if (stream.count == 0) return std::nullopt;
   const bool fits = stream.triangles ? stream.count % 3 == 0 && (stream.stride == 2 || stream.stride == 4)
                                      : stream.stride % 4 == 0 && stream.stride <= kLargestStride;
   if (!fits) return std::nullopt;
-  Bytes code = stream.triangles ? encoded_triangles(raw.data(), stream) : encoded_rows(raw.data(), stream);
-  return code.size() < raw.size() ? std::optional(std::move(code)) : std::nullopt;
+  Code code;
+  if (stream.triangles) {
+    code.bytes = encoded_triangles(raw.data(), stream);
+  } else if (const std::optional<Bytes> integers = stream.floats ? grid_integers(raw) : std::nullopt) {
+    code = {encoded_rows(integers->data(), stream), "EXPONENTIAL"};
+  } else {
+    code.bytes = encoded_rows(raw.data(), stream);
+  }
+  return code.bytes.size() < raw.size() ? std::optional(std::move(code)) : std::nullopt;
 }
 
 void append(Bytes& bytes, std::span<const unsigned char> more) {
@@ -108,19 +123,20 @@ Glb meshopt_compressed(const Glb& glb) {
     const std::size_t offset = view.value("byteOffset", std::size_t{0}), length = view["byteLength"];
     const std::span<const unsigned char> raw = std::span(glb.bytes).subspan(offset, length);
     const auto stream = streams.find(index);
-    const std::optional<Bytes> code = stream == streams.end() ? std::nullopt : encoded(raw, stream->second);
+    const std::optional<Code> code = stream == streams.end() ? std::nullopt : encoded(raw, stream->second);
     const std::size_t place = next_offset(result.bytes);
-    append(result.bytes, code ? std::span<const unsigned char>(*code) : raw);
+    append(result.bytes, code ? std::span<const unsigned char>(code->bytes) : raw);
     if (!code) {
       view["byteOffset"] = place;
       continue;
     }
     view["extensions"][kExtension] = {{"buffer", 0},
                                       {"byteOffset", place},
-                                      {"byteLength", code->size()},
+                                      {"byteLength", code->bytes.size()},
                                       {"byteStride", stream->second.stride},
                                       {"mode", stream->second.triangles ? "TRIANGLES" : "ATTRIBUTES"},
                                       {"count", stream->second.count}};
+    if (code->filter != nullptr) view["extensions"][kExtension]["filter"] = code->filter;
     view["buffer"] = 1;
     view["byteOffset"] = decoded_bytes;
     decoded_bytes += static_cast<std::size_t>(aligned(static_cast<std::int64_t>(length)));

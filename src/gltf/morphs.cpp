@@ -8,24 +8,26 @@
 
 #include "flexkey/gltf/accessors.h"
 #include "flexkey/gltf/extras.h"
+#include "flexkey/gltf/float_grid.h"
 #include "flexkey/gltf/utf8.h"
 
 namespace flexkey {
 namespace {
 
-tinygltf::Primitive base_primitive(tinygltf::Model& model, const Mesh& mesh, const Primitive& primitive,
-                                   const Shape& rest) {
+tinygltf::Primitive base_primitive(tinygltf::Model& model, const Asset& asset, const Primitive& primitive) {
   tinygltf::Primitive base;
   base.mode = TINYGLTF_MODE_TRIANGLES;
-  base.attributes["POSITION"] = append_attribute(model, gather(rest.positions, primitive));
-  if (rest.normals.rows() > 0) {
-    base.attributes["NORMAL"] = append_attribute(model, gather(rest.normals, primitive));
+  base.attributes["POSITION"] = append_attribute(model, gather(asset.rest.positions, primitive));
+  if (asset.rest.normals.rows() > 0) {
+    base.attributes["NORMAL"] = append_attribute(model, gather(asset.rest.normals, primitive));
   }
   if (!primitive.texcoords.empty()) {
-    base.attributes["TEXCOORD_0"] = append_attribute(model, texcoords_of(mesh, primitive));
+    const FloatRows texcoords = texcoords_of(asset.clip.mesh, primitive);
+    const double step = asset.texcoord_step;
+    base.attributes["TEXCOORD_0"] = append_attribute(model, step > 0 ? on_grid(texcoords, step) : texcoords);
   }
   base.indices = append_triangles(model, primitive.triangles);
-  base.extras = describe_groups(mesh, primitive);
+  base.extras = describe_groups(asset.clip.mesh, primitive);
   return base;
 }
 
@@ -35,7 +37,7 @@ tinygltf::Mesh base_mesh(tinygltf::Model& model, const Asset& asset, std::size_t
   mesh.name = valid_utf8(asset.clip.name);
   mesh.weights.assign(target_count, 0.0);
   for (std::size_t i = 0; i < asset.primitives.size(); ++i) {
-    mesh.primitives.push_back(base_primitive(model, asset.clip.mesh, asset.primitives[i], asset.rest));
+    mesh.primitives.push_back(base_primitive(model, asset, asset.primitives[i]));
     mesh.primitives.back().material = static_cast<int>(i);
   }
   return mesh;
@@ -43,6 +45,17 @@ tinygltf::Mesh base_mesh(tinygltf::Model& model, const Asset& asset, std::size_t
 
 int append_gathered(tinygltf::Model& model, const FloatRows& deltas, const Primitive& primitive) {
   return append_deltas(model, nonzero_rows(gather(deltas, primitive)));
+}
+
+/// The accessor of a primitive's targets that move nothing, by the largest integer of their type: one serves
+/// them all.
+using Zeros = std::map<int, int>;
+
+int append_integers(tinygltf::Model& model, const ShortRows& rows, int largest, Zeros& zeros) {
+  if (!rows.isZero(0)) return append_normalized(model, rows, largest);
+  const auto found = zeros.find(largest);
+  if (found != zeros.end()) return found->second;
+  return zeros[largest] = append_normalized(model, rows, largest);
 }
 
 /// Row after row, without the zeros.
@@ -72,14 +85,15 @@ void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const Quantiz
   for (auto* list : {&model.extensionsUsed, &model.extensionsRequired})
     list->emplace_back("KHR_mesh_quantization");
   tinygltf::Mesh mesh = base_mesh(model, asset, targets.positions.size());
-  for (std::size_t t = 0; t < targets.positions.size(); ++t) {
-    for (std::size_t i = 0; i < asset.primitives.size(); ++i) {
-      const std::vector<int>& vertices = asset.primitives[i].vertices;
+  for (std::size_t i = 0; i < asset.primitives.size(); ++i) {
+    const std::vector<int>& vertices = asset.primitives[i].vertices;
+    Zeros zeros;
+    for (std::size_t t = 0; t < targets.positions.size(); ++t) {
       std::map<std::string, int> target;
-      target["POSITION"] = append_normalized(model, targets.positions[t](vertices, Eigen::all), 32767);
+      target["POSITION"] = append_integers(model, targets.positions[t](vertices, Eigen::all), 32767, zeros);
       if (!targets.normals.empty()) {
         target["NORMAL"] =
-            append_normalized(model, targets.normals[t](vertices, Eigen::all), targets.normal_largest);
+            append_integers(model, targets.normals[t](vertices, Eigen::all), targets.normal_largest, zeros);
       } else if (!targets.float_normals.empty()) {
         target["NORMAL"] = append_attribute(model, gather(targets.float_normals[t], asset.primitives[i]));
       }

@@ -35,6 +35,9 @@ void decode(const json& view, const unsigned char* binary, std::vector<unsigned 
                           ? meshopt_decodeIndexBuffer(decoded.data() + to, count, stride, from, length)
                           : meshopt_decodeVertexBuffer(decoded.data() + to, count, stride, from, length);
   if (failure != 0) throw std::runtime_error("meshoptimizer cannot decode a view");
+  const std::string filter = code.value("filter", "NONE");
+  if (filter == "EXPONENTIAL") meshopt_decodeFilterExp(decoded.data() + to, count, stride);
+  if (filter != "EXPONENTIAL" && filter != "NONE") throw std::runtime_error("unknown filter " + filter);
 }
 
 }  // namespace

@@ -116,7 +116,8 @@ TEST_P(Profiles, AStillClipHasATargetThatMovesNothing) {
   const Clip clip = clip_of(sheet(3), 5, stay);
   write(clip);
   EXPECT_GE(model_.meshes[0].primitives[0].targets.size(), 1u);
-  for (const double frame : {0.0, 2.5, 4.0}) EXPECT_LT(error(clip, frame), 1e-7);
+  const double most = GetParam().encoding == Encoding::meshopt ? 1e-4 : 1e-7;  // its base is on a grid
+  for (const double frame : {0.0, 2.5, 4.0}) EXPECT_LT(error(clip, frame), most);
 }
 
 TEST_P(Profiles, OneFrameIsAWholeClip) {

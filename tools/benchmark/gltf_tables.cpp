@@ -9,14 +9,18 @@ Cell times_smaller(double dense, double bytes) {
   return bytes > 0 ? ratio(dense / bytes) : Cell("—");
 }
 
+Cell whole(int number) {
+  return {fmt::format("{}", number), static_cast<double>(number)};
+}
+
 std::vector<Cell> row_of(const GltfResult& result, const char* profile, const Written& written) {
   const GltfReport& report = written.report;
   const auto bytes = static_cast<double>(report.bytes);
   return {result.name,
-          count(result.frames),
+          whole(result.frames),
           profile,
-          count(report.targets),
-          megabytes(bytes),
+          whole(report.targets),
+          Cell(fmt::format("{:.2f} MB", bytes / 1e6), bytes),
           times_smaller(result.dense, bytes),
           result.gltfpack > 0 ? ratio(result.gltfpack / bytes) : Cell("—"),
           share_of_diagonal(report.error),
