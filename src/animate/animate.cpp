@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "flexkey/animate/handle_matrices.h"
 #include "flexkey/animate/handle_states.h"
 #include "flexkey/animate/passage.h"
 #include "flexkey/timeline/sampling.h"
@@ -175,6 +176,18 @@ std::vector<Running> start_all(std::span<const Take> takes, const Mesh& mesh, De
   return runs;
 }
 
+/// Passes a wanted frame on and keeps what is to be kept of it.
+void deliver(Running& run, std::size_t take, const FrameReport& report, const AnimateHooks& hooks) {
+  const Scene& scene = run.take.scene;
+  Positions positions = file_positions(scene, run.passage.pose);
+  if (hooks.on_wanted) {
+    const std::vector<Eigen::Matrix4d> handles = handle_matrices(scene, report.frame / run.take.shot.fps);
+    hooks.on_wanted(take, {report, positions, handles});
+  }
+  if (hooks.keep == Keep::frames) run.clip.frames.push_back(std::move(positions));
+  run.clip.reports.push_back(report);
+}
+
 int last_frame(std::span<const Take> takes, const std::vector<int>& wanted) {
   if (!wanted.empty()) return wanted.back();
   int count = 0;
@@ -211,11 +224,9 @@ std::vector<Clip> animate(std::span<const Take> takes, const Mesh& mesh, const s
                                solved[k].estimate,
                                solved[k].converged,
                                solved[k].slipped};
-      if (is_wanted) {
-        run.clip.frames.push_back(file_positions(run.take.scene, run.passage.pose));
-        run.clip.reports.push_back(report);
-      }
-      if (hooks.on_frame) hooks.on_frame(static_cast<std::size_t>(&run - runs.data()), report);
+      const auto take = static_cast<std::size_t>(&run - runs.data());
+      if (is_wanted) deliver(run, take, report, hooks);
+      if (hooks.on_frame) hooks.on_frame(take, report);
     }
   }
   std::vector<Clip> clips;

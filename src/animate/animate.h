@@ -16,10 +16,15 @@ struct Take {
   const Scene& scene;
 };
 
+/// Whether the frames stay in memory, 24 bytes a vertex each, or only pass by `on_wanted`.
+enum class Keep { frames, nothing };
+
 /// What a caller may hear of a running solve.
 struct AnimateHooks {
-  std::function<void(std::size_t take, const FrameReport&)> on_frame = {};  // after each solved frame
+  std::function<void(std::size_t take, const FrameReport&)> on_frame = {};   // after each solved frame
+  std::function<void(std::size_t take, const SolvedFrame&)> on_wanted = {};  // after each of `wanted`
   std::function<bool()> stop = {};  // true ends the solve after the current frame
+  Keep keep = Keep::frames;         // with `nothing` the clips have reports and no frames
 };
 
 /// Solves the shot from frame 0, each frame starting from the one before, and keeps the frames of `wanted`

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,13 @@ struct FrameReport {
       0;  // of the distance to the converged answer, a share of the rest diagonal; infinite: unknown
   bool converged = false;
   bool slipped = false;  // the surface has lost a turn that its handles made
+};
+
+/// A solved frame as it comes, for what is written on the way; good for the length of a call.
+struct SolvedFrame {
+  const FrameReport& report;
+  const Positions& positions;                // #V x 3, vertices in the file's order, file units
+  std::span<const Eigen::Matrix4d> handles;  // #handles, rest to frame: a point at rest goes to M [x y z 1]ᵀ
 };
 
 /// A solved animation: what every exporter and the preview read.
