@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "cli/cache_outputs.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -24,28 +25,44 @@ namespace {
 /// Runs of a sweep that are solved in one pass; more would gain little and hold more clips in memory.
 constexpr std::size_t together = 5;
 
-/// Where the outputs go. Refuses, before hours of solving, what could not be written after.
-std::vector<std::filesystem::path> require_outputs(const LoadedShot& loaded, const ShotOptions& options,
-                                                   const std::vector<Shot>& runs) {
-  std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs);
-  if (paths.empty())
+/// Refuses, before hours of solving, what could not be written after.
+void require_outputs(const LoadedShot& loaded, const ShotOptions& options, const std::vector<Shot>& runs) {
+  const std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs);
+  check_caches(loaded, options, runs);
+  if (paths.empty() && loaded.shot.caches.empty())
     throw UsageError(
         fmt::format("{} names no output; add 'output: {}.glb'", loaded.shot.file, loaded.shot.name));
   for (const std::filesystem::path& path : paths)
     OutputFile probe(path);  // made and, uncommitted, removed again
-  return paths;
+  probe_caches(loaded, options, runs);
+}
+
+/// Whether an output needs all frames at once.
+bool needs_clip(const Shot& shot) {
+  return !shot.gltf.path.empty();
+}
+
+Verbosity verbosity_of(const ShotOptions& options) {
+  return options.quiet ? Verbosity::quiet : Verbosity::normal;
 }
 
 struct Solved {
-  Clip clip;
-  RunReport report;
+  RunCaches caches;
+  Clip clip = {};
+  RunReport report = {};
 };
 
 /// Solves runs of one sweep together.
-std::vector<Solved> solve(const LoadedShot& loaded, std::span<const Shot> runs, const Scene& scene,
-                          const std::vector<int>& wanted, Progress& progress) {
-  std::vector<Solved> solved(runs.size());
+std::vector<Solved> solve(const LoadedShot& loaded, const ShotOptions& options, std::span<const Shot> runs,
+                          const Scene& scene, Progress& progress) {
+  std::vector<Solved> solved;
+  for (const Shot& run : runs) {
+    RunCaches caches(loaded, options, run);
+    solved.push_back({std::move(caches)});
+  }
   AnimateHooks hooks;
+  hooks.on_wanted = [&](std::size_t run, const SolvedFrame& frame) { solved[run].caches.add(frame); };
+  hooks.keep = needs_clip(loaded.shot) ? Keep::frames : Keep::nothing;
   hooks.on_frame = [&](std::size_t run, const FrameReport& frame) {
     solved[run].report.frames.push_back(frame);
     progress.advance();
@@ -54,11 +71,14 @@ std::vector<Solved> solve(const LoadedShot& loaded, std::span<const Shot> runs, 
   std::vector<Take> takes;
   for (const Shot& run : runs) takes.push_back({run, scene});
   const Stopwatch watch;
+  const std::vector<int> wanted = parse_frames(options.frames, loaded.shot.frame_count());
   std::vector<Clip> clips = animate(takes, loaded.mesh, wanted, hooks);
+  double seconds = watch.seconds();
+  for (const Solved& run : solved) seconds -= run.caches.seconds();
   for (std::size_t k = 0; k < runs.size(); ++k) {
     RunReport& report = solved[k].report;
     solved[k].clip = std::move(clips[k]);
-    report.solve_seconds = watch.seconds() / static_cast<double>(runs.size());
+    report.solve_seconds = seconds / static_cast<double>(runs.size());
     report.claims_convergence = runs[k].solver.preset != SolverSettings::Preset::paper;
     if (report.frames.empty()) continue;
     report.lambda_first = report.frames.front().lambda;
@@ -67,15 +87,25 @@ std::vector<Solved> solve(const LoadedShot& loaded, std::span<const Shot> runs, 
   return solved;
 }
 
-void write(Solved& solved, const Shot& run, const LoadedShot& loaded, const std::filesystem::path& path,
-           Verbosity verbosity) {
+void write_gltf(Solved& solved, const Shot& run, const LoadedShot& loaded, const ShotOptions& options) {
   const Stopwatch watch;
-  GltfOptions options = gltf_options(run, loaded);
+  GltfOptions gltf = gltf_options(run, loaded);
   const int frames = static_cast<int>(solved.clip.frames.size());
-  Progress progress(frames, verbosity, "Writing");
-  options.on_progress = [&](double share) { progress.reach(static_cast<int>(share * frames)); };
-  solved.report.written.push_back({path, write_glb(solved.clip, options, path)});
+  Progress progress(frames, verbosity_of(options), "Writing");
+  gltf.on_progress = [&](double share) { progress.reach(static_cast<int>(share * frames)); };
+  const std::filesystem::path path = options.out_dir / run.gltf.path;
+  solved.report.written.push_back({path, write_glb(solved.clip, gltf, path)});
   solved.report.write_seconds = watch.seconds();
+}
+
+/// What a signal left of a batch of runs, for a person.
+std::string stop_text(const Solved& solved, const Shot& run, const ShotOptions& options, int frames) {
+  std::vector<std::string> fates = solved.caches.fates();
+  if (!run.gltf.path.empty())
+    fates.insert(fates.begin(),
+                 fmt::format("'{}' was not written", (options.out_dir / run.gltf.path).string()));
+  return fmt::format("\nflexkey: stopped by a signal after {} of {} frames; {}\n",
+                     solved.report.frames.size(), frames, fmt::join(fates, ", "));
 }
 
 void print_report(const LoadedShot& loaded, const ShotOptions& options, const std::vector<RunReport>& reports,
@@ -89,8 +119,10 @@ void print_report(const LoadedShot& loaded, const ShotOptions& options, const st
   if (options.json) {
     print_result(fmt::format("{}\n", report_json(loaded, reports, load_seconds)));
   } else if (!options.quiet) {
-    for (const RunReport& report : reports)
+    for (const RunReport& report : reports) {
       for (const WrittenFile& file : report.written) print_result(fmt::format("{}\n", file.path.string()));
+      for (const WrittenCache& cache : report.caches) print_result(fmt::format("{}\n", cache.path.string()));
+    }
   }
 }
 
@@ -105,7 +137,7 @@ int run_animate(const ShotOptions& options) {
     for (const std::string& warning : loaded.warnings) say(fmt::format("{}\n", warning));
   const std::vector<Shot> runs = runs_of(loaded.shot);
   const std::vector<int> wanted = parse_frames(options.frames, loaded.shot.frame_count());
-  const std::vector<std::filesystem::path> paths = require_outputs(loaded, options, runs);
+  require_outputs(loaded, options, runs);
   const Scene scene = bind_loaded(loaded, options);
   const double load_seconds = load_watch.seconds();
 
@@ -113,19 +145,18 @@ int run_animate(const ShotOptions& options) {
   std::vector<RunReport> reports;
   {
     const int frames = wanted.empty() ? loaded.shot.frame_count() : wanted.back() + 1;
-    const Verbosity verbosity = options.quiet ? Verbosity::quiet : Verbosity::normal;
-    Progress progress(frames * static_cast<int>(runs.size()), verbosity);
+    Progress progress(frames * static_cast<int>(runs.size()), verbosity_of(options));
     for (std::size_t begin = 0; begin < runs.size(); begin += together) {
       const std::span<const Shot> batch =
           std::span(runs).subspan(begin, std::min(together, runs.size() - begin));
-      std::vector<Solved> solved = solve(loaded, batch, scene, wanted, progress);
+      std::vector<Solved> solved = solve(loaded, options, batch, scene, progress);
       if (noted_signal() != 0) {
-        say(fmt::format("\nflexkey: stopped by a signal after {} of {} frames; '{}' was not written\n",
-                        solved.front().report.frames.size(), frames, paths[begin].string()));
+        say(stop_text(solved.front(), batch.front(), options, frames));
         return stopped_by_signal + noted_signal();
       }
       for (std::size_t k = 0; k < batch.size(); ++k) {
-        write(solved[k], batch[k], loaded, paths[begin + k], verbosity);
+        solved[k].report.caches = solved[k].caches.finish();
+        if (!batch[k].gltf.path.empty()) write_gltf(solved[k], batch[k], loaded, options);
         reports.push_back(std::move(solved[k].report));
       }
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/cache_outputs.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -51,8 +52,10 @@ json summary(const LoadedShot& loaded, const Scene& scene) {
                        {"motions", motions_of(bound.handle)},
                        {"pivot", vec_json(bound.pivot)}});
   json outputs = json::array();
-  for (const Shot& run : runs_of(loaded.shot))
+  for (const Shot& run : runs_of(loaded.shot)) {
     if (!run.gltf.path.empty()) outputs.push_back(run.gltf.path);
+    for (const CacheOutput& cache : run.caches) outputs.push_back(cache.path);
+  }
   json groups = json::array();
   for (const Group& group : loaded.mesh.groups)
     groups.push_back({{"name", group.name}, {"faces", group.faces.size()}});
@@ -106,7 +109,9 @@ void print_text(const json& summary) {
 int run_check(const ShotOptions& options) {
   const LoadedShot loaded = load_shot(options);
   const Scene scene = bind_loaded(loaded, options);
-  plan_outputs(loaded, options, runs_of(loaded.shot));  // for its errors: what `animate` would refuse
+  const std::vector<Shot> runs = runs_of(loaded.shot);
+  plan_outputs(loaded, options, runs);  // for its errors: what `animate` would refuse
+  check_caches(loaded, options, runs);
   const json report = summary(loaded, scene);
   if (!options.quiet)
     for (const std::string& warning : loaded.warnings) say(fmt::format("{}\n", warning));

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <system_error>
 
+#include "cli/output_paths.h"
 #include "flexkey/mesh/defects.h"
 #include "flexkey/mesh/read_file.h"
 #include "flexkey/mesh/read_mesh.h"
@@ -33,18 +34,6 @@ MeshFile read_named_mesh(const Shot& shot, const fs::path& path) {
   return read_mesh(path);
 }
 
-/// A device or a pipe is written as it is; only a file has a name that tells its format.
-bool is_special(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_other(path, ignored) || fs::is_character_file(path, ignored) || fs::is_fifo(path, ignored);
-}
-
-bool same_file(const fs::path& a, const fs::path& b) {
-  std::error_code ignored;  // a file that is not there is the same as no other
-  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored) ||
-         fs::equivalent(a, b, ignored);
-}
-
 int frames_to_write(const LoadedShot& loaded, const ShotOptions& options) {
   const std::vector<int> wanted = parse_frames(options.frames, loaded.shot.frame_count());
   return wanted.empty() ? loaded.shot.frame_count() : static_cast<int>(wanted.size());
@@ -57,9 +46,8 @@ std::string fault_of_output(const LoadedShot& loaded, const fs::path& path, cons
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension != ".glb" && !is_special(path))
     return fmt::format("the output '{}' is a binary glTF and must end in '.glb'", path.string());
-  for (const fs::path& input : loaded.inputs)
-    if (same_file(path, input))
-      return fmt::format("the output '{}' would replace an input; give it another name", path.string());
+  if (replaces_input(loaded, path))
+    return fmt::format("the output '{}' would replace an input; give it another name", path.string());
   if (output.basis == GltfOutput::Basis::frames && frames > output.max_targets)
     return fmt::format(
         "{} frames make as many morph targets, above max_targets, {}; write profile compat or web, lower "

@@ -62,6 +62,20 @@ json gltf_json(const WrittenFile& file) {
           {"clients", std::move(clients)}};
 }
 
+json cache_json(const WrittenCache& cache) {
+  return {{"path", cache.path.string()},
+          {"format", cache.format},
+          {"files", cache.files},
+          {"bytes", cache.bytes},
+          {"seconds", cache.seconds}};
+}
+
+std::string cache_text(const WrittenCache& cache) {
+  const std::string files = cache.files > 1 ? fmt::format("{} files, ", cache.files) : "";
+  return fmt::format("  write  {:6.2f} s   {}, {}{}\n", cache.seconds, cache.path.string(), files,
+                     size_text(cache.bytes));
+}
+
 /// "plays in three.js and Godot; not in Blender (reads no …)"
 std::string clients_text(const std::vector<ClientNote>& notes) {
   std::vector<std::string> plays, fails;
@@ -78,6 +92,7 @@ json run_json(const RunReport& run) {
   json frames = json::array(), written = json::array();
   for (const FrameReport& frame : run.frames) frames.push_back(frame_json(frame));
   for (const WrittenFile& file : run.written) written.push_back(gltf_json(file));
+  for (const WrittenCache& cache : run.caches) written.push_back(cache_json(cache));
   return {{"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
           {"frames", run.frames.size()},
           {"solves", run.solves()},
@@ -147,6 +162,7 @@ std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& 
           "diagonal; {}\n",
           run.write_seconds, file.path.string(), size_text(file.gltf.bytes), file.gltf.profile,
           file.gltf.targets, 100 * file.gltf.error, clients_text(file.gltf.clients));
+    for (const WrittenCache& cache : run.caches) text += cache_text(cache);
   }
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/load.h"
@@ -16,6 +17,15 @@ struct WrittenFile {
   GltfReport gltf;
 };
 
+/// A vertex cache, a sequence of files or a USD file that a run wrote.
+struct WrittenCache {
+  std::filesystem::path path;  // of a sequence its pattern
+  std::string_view format;     // "pc2"
+  std::size_t files = 0;
+  std::uintmax_t bytes = 0;  // of all files
+  double seconds = 0;        // of writing
+};
+
 /// One solve of the shot, one of several in a sweep.
 struct RunReport {
   double lambda_first = 0, lambda_last = 0;
@@ -23,6 +33,7 @@ struct RunReport {
   bool claims_convergence = true;   // `preset: paper` does not
   double solve_seconds = 0, write_seconds = 0;
   std::vector<WrittenFile> written;
+  std::vector<WrittenCache> caches;
 
   int solves() const;
   std::vector<int> unconverged() const;

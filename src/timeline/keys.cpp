@@ -146,10 +146,10 @@ constexpr KeySpec solver[] = {
 constexpr KeySpec output[] = {
     {"gltf", "path of the GLB, or a mapping"},
     {"preview", "pictures of the clip", Built::ignored},
-    {"cache", "a vertex cache", Built::ignored},
+    {"cache", "a vertex cache: path ending in .pc2 or .mdd, or a list of them"},
     {"html", "a page that plays the clip", Built::ignored},
-    {"frames", "a mesh a frame", Built::ignored},
-    {"usd", "the clip as USD", Built::ignored},
+    {"frames", "a file a frame: pattern such as frames/%04d.obj or frames/%04d.npz, or a list of them"},
+    {"usd", "the clip as USD: path ending in .usda"},
     {"report", "a report of the solve", Built::ignored},
 };
 
@@ -165,6 +165,10 @@ constexpr KeySpec gltf[] = {
     {"animation", "name of the animation, or the clip to merge into", Built::ignored},
     {"handles", "whether handles are written as nodes", Built::ignored},
     {"split", "whether moving faces become a mesh of their own", Built::ignored},
+};
+
+constexpr KeySpec file[] = {
+    {"path", "path of the file, in the output folder"},
 };
 
 }  // namespace
@@ -186,5 +190,6 @@ constinit const MappingSpec lambda_keys{"{keys: {0s: 0, 2s: 1}, ease: ease-in-ou
 constinit const MappingSpec solver_keys{"{preset: paper}", solver};
 constinit const MappingSpec output_keys{"{gltf: bar.glb}", output};
 constinit const MappingSpec gltf_keys{"{path: bar.glb}", gltf};
+constinit const MappingSpec file_keys{"{path: bar.pc2}", file};
 
 }  // namespace flexkey

@@ -89,7 +89,11 @@ Shot read_contents(const Fields& fields, Scope& scope) {
   shot.lambda = {{0, default_lambda, {}}};
   if (const Node* node = fields.value("lambda")) shot.lambda = read_lambda(*node, scope);
   if (const Node* node = fields.value("solver")) shot.solver = read_solver(*node, scope);
-  if (const Node* node = fields.value("output")) shot.gltf = read_output(*node, scope);
+  if (const Node* node = fields.value("output")) {
+    Outputs outputs = read_output(*node, scope);
+    shot.gltf = std::move(outputs.gltf);
+    shot.caches = std::move(outputs.caches);
+  }
   if (const Node* node = fields.value("clips")) shot.clips = read_clips(*node, scope);
   if (const Node* node = fields.value("sweep")) shot.sweep.lambda = read_sweep(*node, scope);
   return shot;
@@ -105,7 +109,7 @@ Shot read_shot(const Node& root, Findings& findings) {
   Shot shot = read_contents(*fields, scope);
   shot.fps = scope.fps;
   shot.duration = read_duration(*fields, scope);
-  check_output_path(shot, findings);
+  check_output_paths(shot, findings);
   return shot;
 }
 

@@ -46,17 +46,20 @@ std::optional<std::string> value_of(std::string_view placeholder, const Shot& sh
   return std::nullopt;
 }
 
-void report_unknown(std::string_view placeholder, const GltfOutput& output, Findings& findings) {
+/// An output's path where the timeline gives it.
+struct PathInFile {
+  const std::string& path;
+  Mark where;
+};
+
+void report_unknown(std::string_view placeholder, const PathInFile& output, Findings& findings) {
   const std::vector<std::string> known = {"<shot>", "<lambda>"};
   findings.error(output.where,
                  fmt::format("unknown placeholder '{}' in output path '{}'{}", placeholder, output.path,
                              findings.proposal(placeholder, known, "; known are <shot> and <lambda>")));
 }
 
-}  // namespace
-
-void check_output_path(const Shot& shot, Findings& findings) {
-  const GltfOutput& output = shot.gltf;
+void check_output_path(const PathInFile& output, const Shot& shot, Findings& findings) {
   bool names_lambda = false;
   for (const Piece& piece : pieces_of(output.path)) {
     if (!piece.is_placeholder) continue;
@@ -77,6 +80,24 @@ void check_output_path(const Shot& shot, Findings& findings) {
   }
 }
 
+/// A sequence's pattern for one run. A percent sign in the shot's name does not begin a frame's number.
+std::string expand_pattern(const std::string& pattern, const Shot& shot) {
+  std::string expanded;
+  for (const Piece& piece : pieces_of(pattern)) {
+    const std::optional<std::string> value = piece.is_placeholder ? value_of(piece.text, shot) : std::nullopt;
+    if (!value) expanded += piece.text;
+    for (const char c : value.value_or("")) expanded.append(c == '%' ? 2 : 1, c);
+  }
+  return expanded;
+}
+
+}  // namespace
+
+void check_output_paths(const Shot& shot, Findings& findings) {
+  check_output_path({shot.gltf.path, shot.gltf.where}, shot, findings);
+  for (const CacheOutput& cache : shot.caches) check_output_path({cache.path, cache.where}, shot, findings);
+}
+
 std::string expand_placeholders(const std::string& path, const Shot& shot) {
   std::string expanded;
   for (const Piece& piece : pieces_of(path)) {
@@ -93,6 +114,9 @@ std::vector<Shot> runs_of(const Shot& shot) {
     if (!shot.sweep.lambda.empty()) run.lambda = {{0, shot.sweep.lambda[i], {}}};
     run.sweep = {};
     run.gltf.path = expand_placeholders(shot.gltf.path, run);
+    for (CacheOutput& cache : run.caches)
+      cache.path =
+          cache.is_sequence() ? expand_pattern(cache.path, run) : expand_placeholders(cache.path, run);
   }
   return runs;
 }

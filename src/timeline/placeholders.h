@@ -5,8 +5,8 @@
 
 namespace flexkey {
 
-/// Checks the placeholders of the shot's output path: none unknown, `<lambda>` only where it has one value a
+/// Checks the placeholders of the shot's output paths: none unknown, `<lambda>` only where it has one value a
 /// run and always where a sweep has several.
-void check_output_path(const Shot& shot, Findings& findings);
+void check_output_paths(const Shot& shot, Findings& findings);
 
 }  // namespace flexkey

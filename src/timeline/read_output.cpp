@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "flexkey/timeline/fields.h"
+#include "flexkey/timeline/read_cache_output.h"
 #include "flexkey/timeline/read_gltf_output.h"
 #include "flexkey/timeline/read_path.h"
 #include "flexkey/timeline/scalar.h"
@@ -32,12 +33,16 @@ MeshSource read_mesh_source(const Node& node, Scope& scope) {
   return mesh;
 }
 
-GltfOutput read_output(const Node& node, Scope& scope) {
-  if (node.kind != Node::Kind::map) return read_gltf_output(node, "'output'", scope);
+Outputs read_output(const Node& node, Scope& scope) {
+  Outputs outputs;
+  if (node.kind != Node::Kind::map) {
+    outputs.gltf = read_gltf_output(node, "'output'", scope);
+    return outputs;
+  }
   const std::optional<Fields> fields = read_fields(node, output_keys, "'output'", scope.findings);
-  const Node* gltf = fields->value("gltf");
-  if (gltf == nullptr) return {};
-  return read_gltf_output(*gltf, "'gltf'", scope);
+  if (const Node* gltf = fields->value("gltf")) outputs.gltf = read_gltf_output(*gltf, "'gltf'", scope);
+  outputs.caches = read_cache_outputs(*fields, scope);
+  return outputs;
 }
 
 }  // namespace flexkey

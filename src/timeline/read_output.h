@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "flexkey/timeline/scope.h"
 #include "flexkey/timeline/shot.h"
 
@@ -8,7 +10,13 @@ namespace flexkey {
 /// `mesh`: a path, or {file, loose, weld}.
 MeshSource read_mesh_source(const Node& node, Scope& scope);
 
-/// `output`: a path, or {gltf: a path or a mapping}. Without `gltf` the result has no path.
-GltfOutput read_output(const Node& node, Scope& scope);
+/// What `output` names.
+struct Outputs {
+  GltfOutput gltf;
+  std::vector<CacheOutput> caches;
+};
+
+/// `output`: the path of a GLB, or {gltf, cache, frames, usd}. Without `gltf` that has no path.
+Outputs read_output(const Node& node, Scope& scope);
 
 }  // namespace flexkey

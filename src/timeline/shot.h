@@ -87,6 +87,17 @@ struct GltfOutput {
   int max_targets = 200;    // more are refused
 };
 
+/// The solved clip in another form: what output.cache, output.frames or output.usd names.
+struct CacheOutput {
+  enum class Form { pc2, mdd, obj, npz, usda };
+  Form form = Form::pc2;
+  std::string
+      path;  // as the timeline gives it; of a sequence a pattern with one "%04d" for the frame's number
+  Mark where;
+
+  bool is_sequence() const { return form == Form::obj || form == Form::npz; }
+};
+
 /// A part of the shot under a name of its own.
 struct NamedInterval {
   std::string name;
@@ -111,6 +122,7 @@ struct Shot {
   Track<double> lambda;  // never empty: a constant is one key
   SolverSettings solver;
   GltfOutput gltf;
+  std::vector<CacheOutput> caches;
   std::vector<NamedInterval> clips;  // an animation each in the GLB; empty: one of the whole shot
   Sweep sweep;
 

@@ -58,6 +58,31 @@ TEST(Animate, WantedFramesAreThoseOfTheWholeSolve) {
   EXPECT_EQ(part.reports[1].frame, 7);
 }
 
+TEST(Animate, WantedFramesPassByWithTheirHandlesWithoutBeingKept) {
+  const Mesh bar = meshes::bar(2, 2, 8);
+  const Shot shot = shot_of(bent);
+  const Scene scene = bind_shot(shot, bar);
+  const Clip kept = animate(shot, bar, scene, {4, 7});
+  std::vector<Positions> passed;
+  AnimateHooks hooks;
+  hooks.keep = Keep::nothing;
+  hooks.on_wanted = [&](std::size_t, const SolvedFrame& frame) {
+    passed.push_back(frame.positions);
+    ASSERT_EQ(frame.handles.size(), scene.handles.size());
+    for (std::size_t h = 0; h < frame.handles.size(); ++h)
+      for (const int v : scene.handles[h].vertices) {
+        const Eigen::Vector4d rest(bar.positions(v, 0), bar.positions(v, 1), bar.positions(v, 2), 1);
+        const Eigen::Vector4d moved = frame.handles[h] * rest;
+        EXPECT_LT((moved.head<3>().transpose() - frame.positions.row(v)).norm(), 1e-12);
+      }
+  };
+  const Clip clip = animate(shot, bar, scene, {4, 7}, hooks);
+  EXPECT_EQ(passed, kept.frames);
+  EXPECT_TRUE(clip.frames.empty());
+  ASSERT_EQ(clip.reports.size(), 2u);
+  EXPECT_EQ(clip.reports[1].frame, 7);
+}
+
 TEST(Animate, StopsAfterTheFrameInWhichItIsTold) {
   const Mesh bar = meshes::bar(2, 2, 8);
   const Shot shot = shot_of(bent);
