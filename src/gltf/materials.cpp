@@ -52,6 +52,11 @@ double linear_from_srgb(double channel) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
+double srgb_from_linear(double channel) {
+  const double c = share(channel);
+  return c <= 0.0031308 ? c * 12.92 : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+}
+
 void append_materials(tinygltf::Model& model, const Mesh& mesh, const std::vector<Primitive>& primitives,
                       const TextureSet& textures) {
   for (const Texture& texture : textures.textures) append_texture(model, texture);

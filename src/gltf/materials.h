@@ -19,4 +19,7 @@ void append_materials(tinygltf::Model& model, const Mesh& mesh, const std::vecto
 /// A colour channel in linear light, 0..1, of one in sRGB, which is held to 0..1 first (IEC 61966-2-1).
 double linear_from_srgb(double channel);
 
+/// The way back: a channel in sRGB of one in linear light, which is held to 0..1 first.
+double srgb_from_linear(double channel);
+
 }  // namespace flexkey

@@ -24,21 +24,7 @@ void sort_unique(std::vector<int>& values) {
 
 [[noreturn]] void unknown_name(Mark where, const char* kind, const std::string& name,
                                const std::string& mesh_name, const std::vector<std::string>& known) {
-  std::string message = fmt::format("no {} '{}' in {}", kind, name, mesh_name);
-  const std::string hint = did_you_mean(name, known);
-  if (!hint.empty()) {
-    message += hint;
-  } else if (known.empty()) {
-    message += fmt::format("; it has no {}s", kind);
-  } else {
-    constexpr std::size_t shown = 12;
-    message += fmt::format(
-        "; it has {}",
-        fmt::join(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(shown, known.size())),
-                  ", "));
-    if (known.size() > shown) message += ", …";
-  }
-  throw SelectionError(where, message);
+  throw SelectionError(where, no_such_name(kind, name, mesh_name, known));
 }
 
 template <class Named>

@@ -1,5 +1,7 @@
 #include "flexkey/mesh/spelling.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <limits>
@@ -59,6 +61,18 @@ std::string nearest_word(std::string_view word, std::span<const std::string> can
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
   const std::string near = nearest_word(word, candidates);
   return near.empty() ? std::string() : "; did you mean '" + near + "'?";
+}
+
+std::string no_such_name(std::string_view kind, std::string_view name, std::string_view where,
+                         std::span<const std::string> known) {
+  std::string message = fmt::format("no {} '{}' in {}", kind, name, where);
+  const std::string hint = did_you_mean(name, known);
+  if (!hint.empty()) return message + hint;
+  if (known.empty()) return message + fmt::format("; it has no {}s", kind);
+  constexpr std::size_t shown = 12;
+  const std::span<const std::string> first = known.first(std::min(shown, known.size()));
+  message += fmt::format("; it has {}", fmt::join(first, ", "));
+  return known.size() > shown ? message + ", …" : message;
 }
 
 }  // namespace flexkey
