@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "cli/output_paths.h"
+#include "flexkey/gltf/read_gltf.h"
 #include "flexkey/mesh/defects.h"
 #include "flexkey/mesh/read_file.h"
 #include "flexkey/mesh/read_mesh.h"
@@ -24,14 +25,37 @@ fs::path mesh_path_of(const Shot& shot) {
   return folder / shot.mesh.file;
 }
 
+std::string lower_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+bool is_gltf(const fs::path& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".glb" || extension == ".gltf";
+}
+
+/// Reads the nodes that the shot names; one that is not there is blamed on its place.
+GltfFile read_named_nodes(const Shot& shot, const fs::path& path, const std::vector<Override>& overrides) {
+  std::vector<std::string> names;
+  for (const NodeName& node : shot.mesh.nodes) names.push_back(node.name);
+  try {
+    return read_gltf(path, names);
+  } catch (const UnknownNodeError& error) {
+    throw TimelineError(shot.file, {error_at(shot.mesh.nodes[error.which()].where, error.what(), overrides)});
+  }
+}
+
 /// Reads the shot's mesh; a file that is not there is blamed on the line that names it.
-MeshFile read_named_mesh(const Shot& shot, const fs::path& path) {
+GltfFile read_named_mesh(const Shot& shot, const fs::path& path, const std::vector<Override>& overrides) {
   std::error_code ignored;
   const Mark where = shot.mesh.where;
   if (where.line > 0 && !fs::exists(path, ignored))
     throw InputError(fmt::format("{}:{}:{}: cannot read '{}': No such file or directory", shot.file,
                                  where.line, where.column, path.string()));
-  return read_mesh(path);
+  if (is_gltf(path)) return read_named_nodes(shot, path, overrides);
+  return {read_mesh(path), {}};
 }
 
 int frames_to_write(const LoadedShot& loaded, const ShotOptions& options) {
@@ -42,9 +66,7 @@ int frames_to_write(const LoadedShot& loaded, const ShotOptions& options) {
 /// What is wrong with writing a GLB there, or nothing.
 std::string fault_of_output(const LoadedShot& loaded, const fs::path& path, const GltfOutput& output,
                             int frames) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension != ".glb" && !is_special(path))
+  if (lower_extension(path) != ".glb" && !is_special(path))
     return fmt::format("the output '{}' is a binary glTF and must end in '.glb'", path.string());
   if (replaces_input(loaded, path))
     return fmt::format("the output '{}' would replace an input; give it another name", path.string());
@@ -69,20 +91,24 @@ LoadedShot load_shot(const ShotOptions& options) {
     loaded.warnings.push_back(format_diagnostic(loaded.shot.file, warning));
 
   loaded.mesh_path = mesh_path_of(loaded.shot);
-  MeshFile file = read_named_mesh(loaded.shot, loaded.mesh_path);
+  GltfFile named = read_named_mesh(loaded.shot, loaded.mesh_path, overrides);
+  MeshFile& file = named.file;
   loaded.mesh = std::move(file.mesh);
+  if (is_gltf(loaded.mesh_path)) loaded.source = std::move(named.source);
   for (const std::string& warning : file.warnings) loaded.warnings.push_back("warning: " + warning);
   for (const std::string& line : describe(find_defects(weld(loaded.mesh).surface)))
     loaded.warnings.push_back(fmt::format("warning: {}: {}", loaded.mesh_path.string(), line));
+
+  std::vector<std::string> hashed{text, read_file(loaded.mesh_path)};
+  for (const fs::path& input : file.inputs) hashed.push_back(read_file(input));
+  hashed.insert(hashed.end(), options.set.begin(), options.set.end());
+  loaded.hash = hash_of(hashed);
 
   loaded.inputs = std::move(file.inputs);
   loaded.inputs.emplace_back(options.shot == "-" ? "/dev/stdin" : options.shot);
   loaded.inputs.push_back(loaded.mesh_path);
   for (const Material& material : loaded.mesh.materials)
     if (!material.texture.empty()) loaded.inputs.push_back(loaded.mesh_path.parent_path() / material.texture);
-  std::vector<std::string> hashed{text, read_file(loaded.mesh_path)};
-  hashed.insert(hashed.end(), options.set.begin(), options.set.end());
-  loaded.hash = hash_of(hashed);
   return loaded;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/options.h"
 #include "flexkey/animate/scene.h"
+#include "flexkey/gltf/read_gltf.h"
 #include "flexkey/mesh/mesh.h"
 #include "flexkey/timeline/shot.h"
 
@@ -15,10 +17,11 @@ namespace flexkey::cli {
 struct LoadedShot {
   Shot shot;
   Mesh mesh;
+  std::optional<GltfSource> source;  // where the mesh is of a glTF file
   std::filesystem::path mesh_path;
   std::vector<std::filesystem::path> inputs;  // files that no output may replace
   std::vector<std::string> warnings;          // whole lines
-  std::string hash;                           // of timeline, overrides and mesh, hexadecimal
+  std::string hash;                           // of timeline, overrides, mesh and what it names, hexadecimal
 };
 
 /// Reads timeline and mesh. Throws TimelineError, InputError, UsageError.

@@ -14,7 +14,7 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension != ".obj")
     throw InputError(
-        fmt::format("cannot read '{}': this version reads meshes from .obj files", path.string()));
+        fmt::format("cannot read '{}': meshes are read from .obj, .glb and .gltf files", path.string()));
   return read_obj(path);
 }
 

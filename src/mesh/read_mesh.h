@@ -6,7 +6,7 @@
 
 namespace flexkey {
 
-/// Reads a mesh by its file name's extension (.obj). Throws InputError.
+/// Reads a mesh by its file name's extension: .obj here, and `read_gltf` reads scenes. Throws InputError.
 MeshFile read_mesh(const std::filesystem::path& path);
 
 }  // namespace flexkey

@@ -74,10 +74,19 @@ std::vector<int> Selector::vertices_of(const std::vector<int>& faces) const {
   return vertices;
 }
 
-std::vector<int> Selector::take(const SelectGroup& group, Mark where) const {
+/// kind: what the user calls a group.
+std::vector<int> Selector::of_group(const char* kind, const std::string& name, Mark where) const {
   for (const Group& candidate : surface_.groups)
-    if (candidate.name == group.name) return vertices_of(candidate.faces);
-  unknown_name(where, "group", group.name, mesh_name_, names_of(surface_.groups));
+    if (candidate.name == name) return vertices_of(candidate.faces);
+  unknown_name(where, kind, name, mesh_name_, names_of(surface_.groups));
+}
+
+std::vector<int> Selector::take(const SelectGroup& group, Mark where) const {
+  return of_group("group", group.name, where);
+}
+
+std::vector<int> Selector::take(const SelectNode& node, Mark where) const {
+  return of_group("node", node.name, where);
 }
 
 std::vector<int> Selector::take(const SelectMaterial& material, Mark where) const {

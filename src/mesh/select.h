@@ -25,6 +25,7 @@ class Selector {
   std::vector<int> take(const SelectVertices& vertices, Mark where) const;
   std::vector<int> take(const SelectGroup& group, Mark where) const;
   std::vector<int> take(const SelectMaterial& material, Mark where) const;
+  std::vector<int> take(const SelectNode& node, Mark where) const;
   std::vector<int> take(const SelectSphere& sphere, Mark where) const;
   std::vector<int> take(const SelectBox& box, Mark where) const;
   std::vector<int> take(const SelectPlane& plane, Mark where) const;
@@ -39,6 +40,7 @@ class Selector {
   std::vector<int> take(const SelectNot& none_of, Mark where) const;
 
   std::vector<int> within(const Eigen::VectorXd& outside_by, Mark where) const;
+  std::vector<int> of_group(const char* kind, const std::string& name, Mark where) const;
   std::vector<int> vertices_of(const std::vector<int>& faces) const;
   std::vector<int> grown(std::vector<int> vertices, int rings) const;
 

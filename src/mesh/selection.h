@@ -38,6 +38,9 @@ struct SelectGroup {
 struct SelectMaterial {
   std::string name;
 };
+struct SelectNode {
+  std::string name;  // a node of the file that is solved; it is a group of the mesh
+};
 struct SelectSphere {
   Vec3 center;
   Length radius;  // share of the bounding-box diagonal
@@ -80,9 +83,9 @@ struct SelectNot {
 };
 
 struct Selection {
-  std::variant<SelectVertices, SelectGroup, SelectMaterial, SelectSphere, SelectBox, SelectPlane, SelectAxis,
-               SelectNearest, SelectGeodesic, SelectPath, SelectBoundary, SelectComponent, SelectAny,
-               SelectAll, SelectNot>
+  std::variant<SelectVertices, SelectGroup, SelectMaterial, SelectNode, SelectSphere, SelectBox, SelectPlane,
+               SelectAxis, SelectNearest, SelectGeodesic, SelectPath, SelectBoundary, SelectComponent,
+               SelectAny, SelectAll, SelectNot>
       kind;
   int grow = 0;  // rings of neighbours added last
   Mark where;    // of the value of the kind's key, for messages

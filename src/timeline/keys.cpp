@@ -27,8 +27,8 @@ constexpr KeySpec shot[] = {
 };
 
 constexpr KeySpec mesh[] = {
-    {"file", "path of the mesh, from the timeline's folder"},
-    {"nodes", "which nodes of a scene to solve", Built::ignored},
+    {"file", "path of the mesh, from the timeline's folder; scene.glb#Node for one node"},
+    {"nodes", "which nodes of a glTF file are solved, as one surface: names, or all (default)"},
     {"loose", "components that no handle touches: attach (default), hold or error"},
     {"weld", "vertices this near to each other are solved as one; mesh units or % of the diagonal"},
     {"up", "the file's upward axis, y or z", Built::ignored},
@@ -60,7 +60,7 @@ constexpr KeySpec selection[] = {
     {"vertices", "indices of the file from 0, and ranges such as 12-40"},
     {"group", "a group of the mesh file"},
     {"material", "a material of the mesh file"},
-    {"node", "a node of the scene", Built::refused},
+    {"node", "a node of a glTF file"},
     {"sphere", "within a radius of a centre"},
     {"box", "between two corners"},
     {"plane", "within a distance of a plane"},

@@ -13,6 +13,7 @@
 #include "flexkey/timeline/read_gltf_output.h"
 #include "flexkey/timeline/read_handle.h"
 #include "flexkey/timeline/read_lambda.h"
+#include "flexkey/timeline/read_mesh_source.h"
 #include "flexkey/timeline/read_names.h"
 #include "flexkey/timeline/read_output.h"
 #include "flexkey/timeline/read_rigid.h"

@@ -7,9 +7,6 @@
 
 namespace flexkey {
 
-/// `mesh`: a path, or {file, loose, weld}.
-MeshSource read_mesh_source(const Node& node, Scope& scope);
-
 /// What `output` names.
 struct Outputs {
   GltfOutput gltf;

@@ -30,6 +30,11 @@ MaybeKind read_material(const KindNode& kind, Scope& scope) {
   return name ? MaybeKind(SelectMaterial{*name}) : std::nullopt;
 }
 
+MaybeKind read_node(const KindNode& kind, Scope& scope) {
+  const std::optional<std::string> name = read_name(kind, scope);
+  return name ? MaybeKind(SelectNode{*name}) : std::nullopt;
+}
+
 MaybeKind read_vertices(const KindNode& kind, Scope& scope) {
   std::optional<std::vector<IndexRange>> ranges = read_index_ranges(kind.value, scope);
   return ranges ? MaybeKind(SelectVertices{std::move(*ranges)}) : std::nullopt;
@@ -172,10 +177,11 @@ struct KindReader {
   MaybeKind (*read)(const KindNode&, Scope&);
 };
 
-constexpr std::array<KindReader, 11> kind_readers = {{
+constexpr std::array<KindReader, 12> kind_readers = {{
     {"vertices", read_vertices},
     {"group", read_group},
     {"material", read_material},
+    {"node", read_node},
     {"sphere", read_sphere},
     {"box", read_box},
     {"plane", read_plane},

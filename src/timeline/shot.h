@@ -65,10 +65,17 @@ struct SolverSettings {
   double max_step = std::numbers::pi / 6;  // radians that a handle turns in one solve; infinite: off
 };
 
+/// A node of a glTF file, as the timeline names it.
+struct NodeName {
+  std::string name;
+  Mark where;
+};
+
 /// What the mesh key says.
 struct MeshSource {
-  std::string file;  // as the timeline gives it
+  std::string file;  // as the timeline gives it, without "#Node"
   Mark where;
+  std::vector<NodeName> nodes;  // of a glTF file, to be solved; empty: all of its scene
   enum class Loose { attach, hold, error };
   Loose loose = Loose::attach;  // components that no handle or anchor touches
   Length weld;                  // vertices at most this far apart are solved as one; share of the diagonal

@@ -141,7 +141,7 @@ TEST(ReadMesh, AnotherFormatIsNamed) {
     read_mesh("x.stl");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("cannot read 'x.stl': this version reads meshes from .obj files"));
+    EXPECT_THAT(error.what(), HasSubstr("cannot read 'x.stl': meshes are read from .obj, .glb and .gltf files"));
   }
 }
 

@@ -59,6 +59,8 @@ TEST_F(SelectTest, GroupsAndMaterials) {
             "no group 'leg_hind_l' in grid.obj; did you mean 'leg_hind_left'?");
   EXPECT_EQ(error_of(SelectGroup{"zzz"}), "no group 'zzz' in grid.obj; it has corner, leg_hind_left");
   EXPECT_THAT(error_of(SelectMaterial{"pant"}), HasSubstr("did you mean 'paint'?"));
+  EXPECT_THAT(select(SelectNode{"corner"}), ElementsAre(0, 1, 5, 6));
+  EXPECT_EQ(error_of(SelectNode{"cornre"}), "no node 'cornre' in grid.obj; did you mean 'corner'?");
 }
 
 TEST_F(SelectTest, Solids) {

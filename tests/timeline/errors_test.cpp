@@ -128,7 +128,6 @@ TEST(Errors, OfSelections) {
       {with_base("roi: {axis: z, above: 0, group: leg}\n"),
        "4:26: error: a selection has one kind; 'group' stands beside 'axis': join them with all: [{axis: …}, "
        "{group: …}] or any: […]"},
-      {with_base("roi: {node: Ear_L}\n"), "4:7: error: 'node' is not built yet, and cannot be ignored"},
       {with_base("roi: {attribute: _MASK, above: 0.5}\n"),
        "4:7: error: 'attribute' is not built yet, and cannot be ignored"},
       {with_base("roi: {axis: z}\n"), "4:13: error: 'axis' needs 'above' or 'below' beside it"},
@@ -279,6 +278,17 @@ TEST(Errors, OfMeshSolverAndOutput) {
   expect_errors({
       {"mesh: [a.obj]\n" + handles, "1:7: error: 'mesh' is a path, not a list"},
       {"mesh: ''\n" + handles, "1:7: error: 'mesh' is a path, not an empty text"},
+      {"mesh: a.glb#\n" + handles, "1:7: error: no node is named after '#' in 'mesh'"},
+      {"mesh: {file: a.obj, nodes: [b]}\n" + handles, "1:28: error: 'a.obj' has no nodes; a glTF file has"},
+      {"mesh: {file: a.glb#b, nodes: [b]}\n" + handles,
+       "1:30: error: 'nodes' stands beside a file that names a node after '#'"},
+      {"mesh: {file: a.glb, nodes: []}\n" + handles,
+       "1:28: error: 'nodes' names no node; leave it out, or write 'nodes: all'"},
+      {"mesh: {file: a.glb, nodes: [b, [c], b]}\n" + handles,
+       "1:32: error: 'nodes' takes names of nodes, not a list\n"
+       "shot.yaml:1:37: error: node 'b' is named twice"},
+      {"mesh: {file: a.glb, nodes: {a: b}}\n" + handles,
+       "1:28: error: 'nodes' takes names of nodes, not a mapping"},
       {"mesh: {loose: hold}\n" + handles, "1:7: error: 'mesh' needs 'file'"},
       {"mesh: {file: a.obj, loose: atach}\n" + handles,
        "1:28: error: unknown loose 'atach'; did you mean 'attach'?"},

@@ -33,6 +33,7 @@ TEST(Selection, Names) {
   EXPECT_EQ(parse_kind<SelectGroup>("{group: leg_hind_l}").name, "leg_hind_l");
   EXPECT_EQ(parse_kind<SelectGroup>("{group: 12}").name, "12");
   EXPECT_EQ(parse_kind<SelectMaterial>("{material: 'red skin'}").name, "red skin");
+  EXPECT_EQ(parse_kind<SelectNode>("{node: left eye}").name, "left eye");
 }
 
 TEST(Selection, Shapes) {

@@ -237,6 +237,27 @@ TEST(Mesh, Forms) {
   EXPECT_DOUBLE_EQ(mesh.weld.value, 1e-4);
 }
 
+std::vector<std::string> node_names(const std::string& mesh) {
+  std::vector<std::string> names;
+  for (const NodeName& node : parse("mesh: " + mesh + "\nhandles: {a: {select: {group: a}}}\n").mesh.nodes)
+    names.push_back(node.name);
+  return names;
+}
+
+TEST(Mesh, NodesOfAScene) {
+  using testing::ElementsAre;
+  EXPECT_THAT(node_names("pig.glb"), ElementsAre());
+  EXPECT_THAT(node_names("{file: pig.glb, nodes: all}"), ElementsAre());
+  EXPECT_THAT(node_names("{file: pig.glb, nodes: body}"), ElementsAre("body"));
+  EXPECT_THAT(node_names("{file: pig.gltf, nodes: [body, left eye]}"), ElementsAre("body", "left eye"));
+  EXPECT_THAT(node_names("pig.GLB#left eye"), ElementsAre("left eye"));
+  EXPECT_THAT(node_names("{file: a#1/pig.gltf#b#c}"), ElementsAre("b#c"));
+  EXPECT_THAT(node_names("pig#2.obj"), ElementsAre());
+  const MeshSource mesh = parse("mesh: a#1/pig.gltf#b\nhandles: {a: {select: {group: a}}}\n").mesh;
+  EXPECT_EQ(mesh.file, "a#1/pig.gltf");
+  EXPECT_EQ(mesh.nodes[0].where.column, 7);
+}
+
 TEST(Output, Forms) {
   EXPECT_EQ(parse(with_base("")).gltf.path, "") << "a shot may be checked without outputs";
   EXPECT_EQ(parse(with_base("output: {gltf: a.glb}\n")).gltf.path, "a.glb");
