@@ -165,6 +165,32 @@ GltfNode read_node(const json& item, const Sizes& sizes, const std::string& what
   return node;
 }
 
+GltfSampler read_sampler(const json& item, const Sizes& sizes, const std::string& what) {
+  const std::string interpolation = text_at(item, "interpolation", what);
+  return {require_index(item, "input", sizes.accessors, what),
+          require_index(item, "output", sizes.accessors, what),
+          interpolation.empty() ? "LINEAR" : interpolation};
+}
+
+GltfAnimation read_animation(const json& item, const Sizes& sizes, const std::string& what) {
+  GltfAnimation animation;
+  animation.name = text_at(item, "name", what);
+  for (const json& sampler : list_at(item, "samplers", what))
+    animation.samplers.push_back(
+        read_sampler(sampler, sizes, fmt::format("sampler {} of {}", animation.samplers.size(), what)));
+  int number = 0;
+  for (const json& channel : list_at(item, "channels", what)) {
+    const std::string name = fmt::format("channel {} of {}", number, what);
+    const int sampler = require_index(channel, "sampler", animation.samplers.size(), name);
+    const json* target = find_member(channel, "target", name);
+    const bool leads_weights = target != nullptr && text_at(*target, "path", name) == "weights";
+    const int node = leads_weights ? find_index(*target, "node", sizes.nodes, name) : -1;
+    if (node >= 0) animation.weights.push_back({number, sampler, node});
+    ++number;
+  }
+  return animation;
+}
+
 /// Name, colour and opacity, for selections and previews; the rest stays in the JSON.
 Material read_material(const json& item, const std::string& what) {
   Material material;
@@ -194,6 +220,7 @@ GltfScene parse_gltf_scene(const std::string& text) {
   scene.accessors = read_all(root, "accessors", "accessor", with_sizes(read_accessor));
   scene.meshes = read_all(root, "meshes", "mesh", with_sizes(read_mesh));
   scene.nodes = read_all(root, "nodes", "node", with_sizes(read_node));
+  scene.animations = read_all(root, "animations", "animation", with_sizes(read_animation));
   scene.materials = read_all(root, "materials", "material", read_material);
   scene.scenes = read_all(root, "scenes", "scene", [&](const json& item, const std::string& what) {
     return indices_at(item, "nodes", sizes.nodes, what);

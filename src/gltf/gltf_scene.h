@@ -68,12 +68,29 @@ struct GltfNode {
   std::vector<double> weights;  // instead of the mesh's; empty: those
 };
 
+struct GltfSampler {
+  int input = -1, output = -1;
+  std::string interpolation;  // "LINEAR", "STEP" or "CUBICSPLINE"
+};
+
+/// A channel that leads the weights of a node's mesh.
+struct GltfWeightsChannel {
+  int channel = 0, sampler = 0, node = 0;
+};
+
+struct GltfAnimation {
+  std::string name;
+  std::vector<GltfSampler> samplers;
+  std::vector<GltfWeightsChannel> weights;
+};
+
 struct GltfScene {
   std::vector<GltfView> views;
   std::vector<GltfAccessor> accessors;
   std::vector<GltfMesh> meshes;
   std::vector<GltfNode> nodes;
   std::vector<Material> materials;
+  std::vector<GltfAnimation> animations;
   std::vector<std::vector<int>> scenes;  // root nodes of each
   int scene = -1;                        // the default one
   std::vector<std::string> required;     // extensions without which the file cannot be read

@@ -7,12 +7,14 @@
 
 #include "flexkey/gltf/read_gltf.h"
 #include "gltf/clips.h"
-#include "gltf/gltf_builder.h"
+#include "support/gltf_builder.h"
 
 namespace flexkey::testing {
 namespace {
 
-using json = GltfBuilder::json;
+using json = nlohmann::json;
+using meshes::GltfBuilder;
+using meshes::tube_file;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 

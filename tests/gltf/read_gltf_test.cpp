@@ -9,13 +9,16 @@
 #include "flexkey/mesh/defects.h"
 #include "flexkey/mesh/weld.h"
 #include "gltf/clips.h"
-#include "gltf/gltf_builder.h"
 #include "gltf/images.h"
+#include "support/gltf_builder.h"
 
 namespace flexkey::testing {
 namespace {
 
-using json = GltfBuilder::json;
+using json = nlohmann::json;
+using meshes::GltfBuilder;
+using meshes::Tube;
+using meshes::tube_file;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;

@@ -12,7 +12,7 @@
 
 #include "flexkey/mesh/types.h"
 
-namespace flexkey::testing {
+namespace flexkey::meshes {
 
 /// Puts a glTF file together piece by piece; a test may change `root` as it likes.
 class GltfBuilder {
@@ -182,4 +182,4 @@ inline GltfBuilder tube_file() {
   return file;
 }
 
-}  // namespace flexkey::testing
+}  // namespace flexkey::meshes

@@ -1,0 +1,230 @@
+#include "flexkey/gltf/graft.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "flexkey/gltf/float_rows.h"
+
+namespace flexkey {
+namespace {
+
+using nlohmann::json;
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+json& items_of(json& root, const char* list) {
+  if (!root.contains(list)) root[list] = json::array();
+  return root[list];
+}
+
+/// How many own targets a mesh of the file has.
+std::size_t target_count(const json& mesh) {
+  const json& primitive = mesh["primitives"][0];
+  return primitive.contains("targets") ? primitive["targets"].size() : 0;
+}
+
+class Grafting {
+ public:
+  Grafting(const GltfDocument& file, const Addition& addition)
+      : addition_(addition), root_(json::parse(file.json)), added_(json::parse(addition.document.json)) {
+    result_.bytes = file.bytes;
+  }
+  GltfDocument graft();
+
+ private:
+  void append_buffers();
+  void append_accessors();
+  void append_extensions(const char* list);
+  json& mesh_of(int node);
+  void extend(const NodeAddition& node);
+  void extend_primitive(json& primitive, const PrimitiveAddition& addition) const;
+  json renumbered(const GltfAttributes& attributes) const;
+  void name_targets(json& mesh, std::size_t own) const;
+  void change(const ChannelChange& change);
+  void animate();
+
+  const Addition& addition_;
+  json root_, added_;
+  int first_accessor_ = 0;
+  GltfDocument result_;
+};
+
+GltfDocument Grafting::graft() {
+  append_buffers();
+  append_accessors();
+  append_extensions("extensionsUsed");
+  append_extensions("extensionsRequired");
+  for (const NodeAddition& node : addition_.nodes) extend(node);
+  for (const ChannelChange& changed : addition_.changed) change(changed);
+  if (!addition_.channels.empty()) animate();
+  result_.json = root_.dump();
+  return std::move(result_);
+}
+
+/// Buffer 0 of the addition goes behind the file's, others stand for themselves.
+void Grafting::append_buffers() {
+  json& buffers = items_of(root_, "buffers");
+  if (buffers.empty()) buffers.push_back({{"byteLength", 0}});
+  std::vector<std::byte>& bytes = result_.bytes;
+  bytes.resize(index(static_cast<int>(aligned(static_cast<std::int64_t>(bytes.size())))));
+  const std::size_t start = bytes.size();
+  bytes.insert(bytes.end(), addition_.document.bytes.begin(), addition_.document.bytes.end());
+  buffers[0]["byteLength"] = bytes.size();
+  const std::size_t others = buffers.size() - 1;
+  json& added_buffers = items_of(added_, "buffers");
+  for (std::size_t b = 1; b < added_buffers.size(); ++b) buffers.push_back(added_buffers[b]);
+
+  const auto move = [&](json& range) {
+    const std::size_t buffer = range["buffer"];
+    if (buffer == 0) range["byteOffset"] = range.value("byteOffset", std::size_t{0}) + start;
+    if (buffer > 0) range["buffer"] = buffer + others;
+  };
+  json& views = items_of(root_, "bufferViews");
+  for (json& view : items_of(added_, "bufferViews")) {
+    move(view);
+    for (json& extension : items_of(view, "extensions"))
+      if (extension.contains("buffer")) move(extension);
+    if (view["extensions"].empty()) view.erase("extensions");
+    views.push_back(view);
+  }
+}
+
+void Grafting::append_accessors() {
+  const std::size_t first_view = root_["bufferViews"].size() - added_["bufferViews"].size();
+  const auto move = [&](json& reference) {
+    if (reference.contains("bufferView"))
+      reference["bufferView"] = reference["bufferView"].get<std::size_t>() + first_view;
+  };
+  json& accessors = items_of(root_, "accessors");
+  first_accessor_ = static_cast<int>(accessors.size());
+  for (json& accessor : items_of(added_, "accessors")) {
+    move(accessor);
+    if (accessor.contains("sparse")) {
+      move(accessor["sparse"]["indices"]);
+      move(accessor["sparse"]["values"]);
+    }
+    accessors.push_back(accessor);
+  }
+}
+
+void Grafting::append_extensions(const char* list) {
+  for (const json& name : items_of(added_, list)) {
+    json& names = items_of(root_, list);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+}
+
+/// The node's mesh, which no other node may share.
+json& Grafting::mesh_of(int node) {
+  json& meshes = root_["meshes"];
+  json& mesh = root_["nodes"][index(node)]["mesh"];
+  int users = 0;
+  for (const json& other : root_["nodes"]) users += other.contains("mesh") && other["mesh"] == mesh ? 1 : 0;
+  if (users > 1) {
+    meshes.push_back(json(meshes[mesh.get<std::size_t>()]));
+    mesh = meshes.size() - 1;
+  }
+  return meshes[mesh.get<std::size_t>()];
+}
+
+void Grafting::extend(const NodeAddition& addition) {
+  json& mesh = mesh_of(addition.node);
+  const std::size_t own = target_count(mesh);
+  for (std::size_t p = 0; p < addition.primitives.size(); ++p)
+    extend_primitive(mesh["primitives"][p], addition.primitives[p]);
+
+  const std::size_t all = own + addition_.names.size();
+  const auto extend_weights = [&](json& weights) { weights.get_ref<json::array_t&>().resize(all, 0.0); };
+  extend_weights(items_of(mesh, "weights"));
+  json& node = root_["nodes"][index(addition.node)];
+  if (node.contains("weights")) extend_weights(node["weights"]);
+  name_targets(mesh, own);
+  mesh["extras"].update(json::parse(addition_.extras));
+}
+
+json Grafting::renumbered(const GltfAttributes& attributes) const {
+  json result = json::object();
+  for (const auto& [semantic, accessor] : attributes) result[semantic] = accessor + first_accessor_;
+  return result;
+}
+
+void Grafting::extend_primitive(json& primitive, const PrimitiveAddition& addition) const {
+  json& targets = items_of(primitive, "targets");
+  if (addition.drop_normals) {
+    for (const char* semantic : {"NORMAL", "TANGENT"}) {
+      primitive["attributes"].erase(semantic);
+      for (json& target : targets) target.erase(semantic);
+    }
+  }
+  for (json& target : targets)
+    for (const auto& [semantic, accessor] : addition.targets.front())
+      if (!target.contains(semantic)) target[semantic] = addition.zeros + first_accessor_;
+  for (const GltfAttributes& target : addition.targets) targets.push_back(renumbered(target));
+}
+
+void Grafting::name_targets(json& mesh, std::size_t own) const {
+  if (!mesh.contains("extras") || !mesh["extras"].is_object()) mesh["extras"] = json::object();
+  json& names = mesh["extras"]["targetNames"];
+  const auto is_text = [](const json& name) { return name.is_string(); };
+  if (!names.is_array() || names.size() != own || !std::all_of(names.begin(), names.end(), is_text)) {
+    names = json::array();
+    for (std::size_t target = 0; target < own; ++target) names.push_back(fmt::format("target_{}", target));
+  }
+  std::set<std::string> known = names.get<std::set<std::string>>();
+  for (const std::string& name : addition_.names) {
+    std::string unique = name;
+    for (int number = 2; !known.insert(unique).second; ++number) unique = fmt::format("{}_{}", name, number);
+    names.push_back(unique);
+  }
+}
+
+/// The channel gets a sampler of its own, since others may share the one that it had.
+void Grafting::change(const ChannelChange& change) {
+  json& animation = root_["animations"][index(change.animation)];
+  json& channel = animation["channels"][index(change.channel)];
+  json& samplers = animation["samplers"];
+  json sampler = samplers[channel["sampler"].get<std::size_t>()];
+  if (change.input >= 0) sampler["input"] = change.input + first_accessor_;
+  if (!change.interpolation.empty()) sampler["interpolation"] = change.interpolation;
+  sampler["output"] = change.output + first_accessor_;
+
+  const json number = channel["sampler"];
+  int users = 0;
+  for (const json& other : animation["channels"]) users += other["sampler"] == number ? 1 : 0;
+  if (users == 1) {
+    samplers[number.get<std::size_t>()] = sampler;
+  } else {
+    samplers.push_back(sampler);
+    channel["sampler"] = samplers.size() - 1;
+  }
+}
+
+void Grafting::animate() {
+  json& animations = items_of(root_, "animations");
+  if (addition_.animation < 0) animations.push_back({{"name", addition_.animation_name}});
+  json& animation = addition_.animation < 0 ? animations.back() : animations[index(addition_.animation)];
+  json& samplers = items_of(animation, "samplers");
+  json& channels = items_of(animation, "channels");
+  for (const NewChannel& channel : addition_.channels) {
+    samplers.push_back({{"input", channel.input + first_accessor_},
+                        {"output", channel.output + first_accessor_},
+                        {"interpolation", "LINEAR"}});
+    channels.push_back(
+        {{"sampler", samplers.size() - 1}, {"target", {{"node", channel.node}, {"path", "weights"}}}});
+  }
+  if (!animation.contains("extras") || !animation["extras"].is_object()) animation["extras"] = json::object();
+  animation["extras"].update(json::parse(addition_.extras));
+}
+
+}  // namespace
+
+GltfDocument graft(const GltfDocument& file, const Addition& addition) {
+  return Grafting(file, addition).graft();
+}
+
+}  // namespace flexkey

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "flexkey/gltf/gltf_document.h"
+#include "flexkey/gltf/gltf_scene.h"
+
+namespace flexkey {
+
+/// What one primitive of a solved node gets. Accessors are those of the addition.
+struct PrimitiveAddition {
+  std::vector<GltfAttributes> targets;  // #new targets, all of the same attributes
+  int zeros = -1;                       // for each of those attributes that a target of the file lacks
+  bool drop_normals = false;            // its normals would stay at rest: clients shade flat without them
+};
+
+struct NodeAddition {
+  int node = 0;  // of the file
+  std::vector<PrimitiveAddition> primitives;
+};
+
+/// A weights channel that stands in the file, whose values change.
+struct ChannelChange {
+  int animation = 0, channel = 0;  // of the file
+  int input = -1;                  // accessor of the addition, or -1: the times stay
+  int output = 0;                  // accessor of the addition
+  std::string interpolation;       // of the new values; empty: as it was
+};
+
+/// A weights channel that is new.
+struct NewChannel {
+  int node = 0;               // of the file
+  int input = 0, output = 0;  // accessors of the addition; LINEAR
+};
+
+/// What a clip adds to a file.
+struct Addition {
+  GltfDocument document;            // its buffers, views and accessors are appended to the file's
+  std::vector<NodeAddition> nodes;  // the solved ones
+  std::vector<std::string> names;   // of the new targets
+  std::vector<ChannelChange> changed;
+  std::vector<NewChannel> channels;
+  int animation = -1;  // of the file, which gets the new channels; -1: a new one does
+  std::string animation_name;
+  std::string extras;  // JSON object whose members the meshes and the animation get
+};
+
+/// The file with the addition in it, and everything else as it was. A mesh that other nodes show too is
+/// copied for the solved one. Names of new targets that the file has already get a number behind them.
+GltfDocument graft(const GltfDocument& file, const Addition& addition);
+
+}  // namespace flexkey

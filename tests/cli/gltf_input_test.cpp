@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/work_folder.h"
+#include "support/gltf_builder.h"
+
+namespace flexkey {
+namespace {
+
+using meshes::GltfBuilder;
+using meshes::Tube;
+using nlohmann::json;
+using test::ProgramResult;
+using testing::HasSubstr;
+
+/// tube.glb lies in the folder.
+class GltfInput : public test::WorkFolder {
+ protected:
+  void SetUp() override {
+    WorkFolder::SetUp();
+    meshes::tube_file().save(folder() / "tube.glb");
+    write("shot.yaml", shot("tube.glb"));
+  }
+  static std::string shot(const std::string& mesh) {
+    return "mesh: " + mesh +
+           "\nhandles:\n"
+           "  base: {select: {axis: z, below: 1%}}\n"
+           "  tip: {select: {axis: z, above: 99%}, move: {keys: {0s: [0, 0, 0], 0.5s: [1, 0, 0]}}}\n"
+           "output: out.glb\n";
+  }
+};
+
+TEST_F(GltfInput, ChecksTheSurfaceWeldedAlongTheSeam) {
+  const ProgramResult result = run({"check", "shot.yaml", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const json report = json::parse(result.output);
+  EXPECT_EQ(report["mesh"]["vertices"], Tube().vertex_count());
+  EXPECT_EQ(report["mesh"]["surface_vertices"], 56);
+  EXPECT_EQ(report["mesh"]["groups"][0]["name"], "tube");
+  EXPECT_EQ(report["handles"][1]["vertices"], 9) << "both sides of the seam";
+  EXPECT_EQ(result.errors, "");
+}
+
+TEST_F(GltfInput, AnUnknownNodeIsBlamedOnItsPlace) {
+  write("shot.yaml", shot("{file: tube.glb, nodes: [tub]}"));
+  const ProgramResult result = run({"check", "shot.yaml"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.errors, "shot.yaml:1:32: error: no node 'tub' in tube.glb; did you mean 'tube'?\n");
+  const ProgramResult set = run({"check", "shot.yaml", "--set", "mesh=tube.glb#tubs"});
+  EXPECT_EQ(set.exit_code, 2);
+  EXPECT_EQ(set.errors, "--set mesh: error: no node 'tubs' in tube.glb; did you mean 'tube'?\n");
+}
+
+TEST_F(GltfInput, ABrokenFileIsBadInput) {
+  write("tube.glb", "glTF");
+  const ProgramResult result = run({"check", "shot.yaml"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.errors, HasSubstr("tube.glb: the file ends inside the header of a GLB"));
+}
+
+TEST_F(GltfInput, TheHashCoversBuffersBesideTheFile) {
+  GltfBuilder file = meshes::tube_file();
+  file.root["buffers"] = {{{"byteLength", file.bytes.size()}, {"uri", "tube.bin"}}};
+  write("tube.gltf", file.root.dump());
+  write("shot.yaml", shot("tube.gltf"));
+  const auto hash = [&] {
+    write("tube.bin", file.bytes);
+    const ProgramResult result = run({"animate", "shot.yaml", "--json", "-q"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return json::parse(result.output).at("hash").get<std::string>();
+  };
+  const std::string before = hash();
+  EXPECT_EQ(hash(), before);
+  file.bytes[0] ^= 1;  // the last bit of the first vertex's x
+  EXPECT_NE(hash(), before);
+}
+
+TEST_F(GltfInput, NoOutputReplacesABufferOfTheInput) {
+  GltfBuilder file = meshes::tube_file();
+  file.root["buffers"] = {{{"byteLength", file.bytes.size()}, {"uri", "out.glb"}}};
+  write("tube.gltf", file.root.dump());
+  write("out.glb", file.bytes);
+  write("shot.yaml", shot("tube.gltf"));
+  const ProgramResult result = run({"check", "shot.yaml"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("the output './out.glb' would replace an input"));
+}
+
+}  // namespace
+}  // namespace flexkey

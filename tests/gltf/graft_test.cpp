@@ -1,0 +1,322 @@
+// A clip grafted into the file that its mesh came from: the shape moves, everything else is as it was.
+#include "flexkey/gltf/graft.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "flexkey/gltf/following_normals.h"
+#include "flexkey/gltf/source_targets.h"
+#include "gltf/clips.h"
+#include "gltf/glb_file.h"
+#include "gltf/images.h"
+#include "support/gltf_builder.h"
+
+namespace flexkey::testing {
+namespace {
+
+using json = nlohmann::json;
+using meshes::add_tube;
+using meshes::GltfBuilder;
+using meshes::Tube;
+using meshes::tube_file;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Leans along x the more the higher, by frame: what bends the tube in scene space.
+Vec3 lean(const Vec3& p, int frame) {
+  return p + 0.02 * frame * p.z() * p.z() * Vec3(1, 0.5, 0);
+}
+
+struct Grafted {
+  GltfFile file;
+  std::vector<Positions> frames;
+  std::string glb;
+  json root;
+  tinygltf::Model model;
+};
+
+/// One target a frame.
+SourceTargets targets_of(const std::vector<Positions>& frames, const Positions& rest) {
+  const auto count = static_cast<Eigen::Index>(frames.size());
+  SourceTargets targets;
+  targets.times.resize(count, 1);
+  targets.weights = FloatRows::Identity(count, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    targets.names.push_back("f000" + std::to_string(k));
+    targets.times(k, 0) = static_cast<float>(k) / 24;
+  }
+  targets.positions = [&frames, &rest](std::size_t k) { return Positions(frames[k] - rest); };
+  return targets;
+}
+
+Grafted graft_into(const GltfBuilder& builder, const AnimationPlace& place = {"lean", ""},
+                   const std::vector<std::string>& nodes = {}) {
+  const TemporaryFolder folder;
+  Grafted grafted;
+  grafted.file = read_gltf(builder.save(folder / "in.glb"), nodes);
+  const Mesh& mesh = grafted.file.file.mesh;
+  for (int k = 0; k < 4; ++k) {
+    Positions frame = mesh.positions;
+    for (Eigen::Index v = 0; v < frame.rows(); ++v)
+      frame.row(v) = lean(frame.row(v).transpose(), k).transpose();
+    grafted.frames.push_back(std::move(frame));
+  }
+  const FollowingNormals normals(mesh, grafted.file.source);
+  SourceTargets targets = targets_of(grafted.frames, mesh.positions);
+  targets.normals = [&](std::size_t k) {
+    return Positions(normals.at(grafted.frames[k]) - grafted.file.source.normals);
+  };
+  Addition addition = make_addition(grafted.file.source, targets, place);
+  addition.extras = R"({"fps": 24})";
+  const GltfDocument document = graft(grafted.file.source.document, addition);
+  grafted.root = json::parse(document.json);
+  grafted.glb = GltfBuilder::frame(
+      document.json, {reinterpret_cast<const char*>(document.bytes.data()), document.bytes.size()});
+  std::ofstream(folder / "out.glb", std::ios::binary) << grafted.glb;
+  grafted.model = load_glb(folder / "out.glb");
+  return grafted;
+}
+
+/// Positions of a primitive at a frame as a client has them in the scene, #vertices x 3.
+Positions played(const Grafted& grafted, std::size_t node, std::size_t primitive, std::size_t frame) {
+  const SolvedNode& solved = grafted.file.source.nodes[node];
+  const auto mesh = static_cast<std::size_t>(grafted.model.nodes[static_cast<std::size_t>(solved.node)].mesh);
+  const tinygltf::Primitive& written = grafted.model.meshes[mesh].primitives[primitive];
+  const std::size_t own = written.targets.size() - grafted.frames.size();
+  const Eigen::MatrixXf local =
+      rows_of(grafted.model, written.attributes.at("POSITION")).cast<float>() +
+      rows_of(grafted.model, written.targets[own + frame].at("POSITION")).cast<float>();
+  const Positions rows = local.cast<double>();
+  const Eigen::Matrix3d linear = solved.world.topLeftCorner<3, 3>();
+  return (rows * linear.transpose()).rowwise() + solved.world.topRightCorner<3, 1>().transpose();
+}
+
+double playback_error(const Grafted& grafted) {
+  double largest = 0;
+  for (std::size_t node = 0; node < grafted.file.source.nodes.size(); ++node) {
+    const SolvedNode& solved = grafted.file.source.nodes[node];
+    for (std::size_t p = 0; p < solved.primitives.size(); ++p)
+      for (std::size_t k = 0; k < grafted.frames.size(); ++k) {
+        const Positions wanted = grafted.frames[k].middleRows(solved.primitives[p].first_vertex,
+                                                              solved.primitives[p].vertex_count);
+        largest = std::max(largest, (played(grafted, node, p, k) - wanted).rowwise().norm().maxCoeff());
+      }
+  }
+  return largest;
+}
+
+TEST(Graft, TheTubeLeansAndItsSeamNeverOpens) {
+  const Grafted grafted = graft_into(tube_file());
+  EXPECT_LT(playback_error(grafted), 1e-6);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Positions shape = played(grafted, 0, 0, k);
+    for (int ring = 0; ring <= 6; ++ring) EXPECT_EQ(shape.row(9 * ring), shape.row(9 * ring + 8));
+  }
+  const tinygltf::Mesh& mesh = grafted.model.meshes[0];
+  EXPECT_EQ(mesh.weights, std::vector<double>(4, 0));
+  EXPECT_EQ(grafted.root["meshes"][0]["extras"],
+            json::parse(R"({"fps": 24, "targetNames": ["f0000", "f0001", "f0002", "f0003"]})"));
+  for (const auto& target : mesh.primitives[0].targets) EXPECT_EQ(target.count("NORMAL"), 1u);
+}
+
+TEST(Graft, TheNewAnimationPlaysATargetAFrame) {
+  const Grafted grafted = graft_into(tube_file());
+  ASSERT_EQ(grafted.model.animations.size(), 1u);
+  EXPECT_EQ(grafted.model.animations[0].name, "lean");
+  EXPECT_EQ(grafted.model.animations[0].channels[0].target_node, 0);
+  for (int k = 0; k < 4; ++k) {
+    std::vector<float> wanted(4, 0);
+    wanted[static_cast<std::size_t>(k)] = 1;
+    EXPECT_EQ(weights_at(grafted.model, static_cast<float>(k) / 24), wanted);
+  }
+}
+
+TEST(Graft, EverythingElseIsAsItWas) {
+  GltfBuilder file = tube_file();
+  file.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {
+      {"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
+  file.add("images", {{"bufferView", file.add_view(red_png())}, {"mimeType", "image/png"}});
+  file.add("textures", {{"source", 0}});
+  file.root["extras"] = {{"author", "me"}};
+  file.root["extensionsUsed"] = {"KHR_texture_transform", "VENDOR_thing"};
+  file.root["extensions"]["VENDOR_thing"] = {{"deep", {1, {{"er", 2.5}}}}};
+  file.root["meshes"][0]["extras"] = {{"mine", 1}};
+  file.root["meshes"][0]["primitives"][0]["extensions"]["VENDOR_thing"] = {{"a", 1}};
+  file.add("nodes", {{"name", "camera"}, {"camera", 0}, {"extras", {{"b", nullptr}}}});
+  file.add("cameras", {{"type", "orthographic"},
+                       {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 1}}}});
+  const Grafted grafted = graft_into(file);
+  const json &before = file.root, &after = grafted.root;
+  for (const char* key : {"asset", "extras", "extensionsUsed", "extensions", "materials", "images",
+                          "textures", "nodes", "cameras", "scenes", "scene"})
+    EXPECT_EQ(after[key], before[key]) << key;
+  for (const char* key : {"attributes", "indices", "material", "extensions"})
+    EXPECT_EQ(after["meshes"][0]["primitives"][0][key], before["meshes"][0]["primitives"][0][key]) << key;
+  EXPECT_EQ(after["meshes"][0]["extras"]["mine"], 1);
+  for (const char* list : {"accessors", "bufferViews"})
+    for (std::size_t i = 0; i < before[list].size(); ++i)
+      EXPECT_EQ(after[list][i], before[list][i]) << list << i;
+  EXPECT_EQ(grafted.glb.find(file.bytes) != std::string::npos, true) << "its bytes are all there";
+}
+
+TEST(Graft, NodesMoveInTheirOwnSpace) {
+  GltfBuilder file;
+  file.add("meshes", {{"primitives", {add_tube(file)}}});
+  file.add("meshes", {{"primitives", {add_tube(file)}}});
+  file.add("nodes", {{"mesh", 0}, {"scale", {2, 1, 0.5}}, {"rotation", {0.6, 0, 0, 0.8}}});
+  file.add("nodes", {{"children", {2}}, {"translation", {5, 0, 0}}, {"scale", {-1, 3, 1}}});
+  file.add("nodes", {{"mesh", 1}, {"translation", {0, 1, 0}}});
+  file.add("scenes", {{"nodes", {0, 1}}});
+  const Grafted grafted = graft_into(file);
+  EXPECT_LT(playback_error(grafted), 3e-6);
+  ASSERT_EQ(grafted.root["animations"].size(), 1u);
+  EXPECT_EQ(grafted.root["animations"][0]["channels"].size(), 2u);
+}
+
+TEST(Graft, AMeshThatAnotherNodeShowsTooIsCopied) {
+  GltfBuilder file = tube_file();
+  file.add("nodes", {{"name", "other"}, {"mesh", 0}, {"translation", {9, 0, 0}}});
+  file.root["scenes"][0]["nodes"] = {0, 1};
+  const Grafted one = graft_into(file, {"lean", ""}, {"tube"});
+  EXPECT_EQ(one.root["nodes"][0]["mesh"], 1);
+  EXPECT_EQ(one.root["meshes"][0], file.root["meshes"][0]) << "the other node's";
+  EXPECT_LT(playback_error(one), 1e-6);
+  const Grafted both = graft_into(file);
+  EXPECT_EQ(both.root["meshes"].size(), 2u);
+  EXPECT_NE(both.root["nodes"][0]["mesh"], both.root["nodes"][1]["mesh"]);
+  EXPECT_LT(playback_error(both), 2e-6);
+}
+
+TEST(Graft, PrimitivesThatShareAccessorsShareTheirMotion) {
+  GltfBuilder file = tube_file();
+  json primitive = file.root["meshes"][0]["primitives"][0];
+  primitive["indices"] = file.add_indices({0, 1, 10});
+  file.root["meshes"][0]["primitives"].push_back(primitive);
+  const Grafted grafted = graft_into(file);
+  EXPECT_EQ(grafted.file.file.mesh.vertex_count(), Tube().vertex_count());
+  EXPECT_LT(playback_error(grafted), 1e-6);
+}
+
+/// The tube with two targets of its own, of which the second carries normals, an animation of them, and
+/// default weights.
+GltfBuilder tube_with_targets() {
+  GltfBuilder file = tube_file();
+  std::vector<Vec3> up(static_cast<std::size_t>(Tube().vertex_count()), Vec3(0, 0, 1));
+  json& mesh = file.root["meshes"][0];
+  mesh["primitives"][0]["targets"] = {{{"POSITION", file.add_points(up)}},
+                                      {{"POSITION", file.add_points(up)}, {"NORMAL", file.add_points(up)}}};
+  mesh["weights"] = {0.25, 0.5};
+  mesh["extras"] = {{"targetNames", {"f0001", "smile"}}};
+  const int times = file.add_accessor(std::vector<float>{0, 1}, 1),
+            values = file.add_accessor(std::vector<float>{0, 1, 1, 0}, 1);
+  file.add("animations", {{"name", "Talk"},
+                          {"samplers", {{{"input", times}, {"output", values}}}},
+                          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}});
+  return file;
+}
+
+TEST(Graft, TargetsOfTheFileStayFirst) {
+  const GltfBuilder file = tube_with_targets();
+  const Grafted grafted = graft_into(file);
+  const json& mesh = grafted.root["meshes"][0];
+  EXPECT_EQ(mesh["weights"], json::array({0.25, 0.5, 0, 0, 0, 0}));
+  EXPECT_EQ(mesh["extras"]["targetNames"],
+            json::array({"f0001", "smile", "f0000", "f0001_2", "f0002", "f0003"}));
+  const json& targets = mesh["primitives"][0]["targets"];
+  ASSERT_EQ(targets.size(), 6u);
+  EXPECT_EQ(targets[0]["POSITION"], file.root["meshes"][0]["primitives"][0]["targets"][0]["POSITION"]);
+  EXPECT_EQ(targets[1], file.root["meshes"][0]["primitives"][0]["targets"][1]);
+  for (const json& target : targets) EXPECT_TRUE(target.contains("NORMAL") && target.size() == 2) << target;
+  EXPECT_TRUE(rows_of(grafted.model, targets[0]["NORMAL"]).isZero(0)) << "nothing moved that did not before";
+  EXPECT_LT(playback_error(grafted), 1e-6);
+}
+
+TEST(Graft, TheFilesOwnAnimationsPlayAsBefore) {
+  const Grafted grafted = graft_into(tube_with_targets());
+  ASSERT_EQ(grafted.model.animations.size(), 2u);
+  EXPECT_EQ(weights_at(grafted.model, 0.25), (std::vector<float>{0.25, 0.75, 0, 0, 0, 0})) << "Talk";
+  const tinygltf::AnimationSampler& sampler = grafted.model.animations[1].samplers[0];
+  const Eigen::MatrixXd weights = rows_of(grafted.model, sampler.output);
+  ASSERT_EQ(weights.rows(), 4 * 6);
+  EXPECT_EQ(weights(6, 0), 0.25) << "the file's own targets keep their defaults in the new animation";
+  EXPECT_EQ(weights(7, 0), 0.5);
+  EXPECT_EQ(weights(6 + 3, 0), 1);
+}
+
+TEST(Graft, MergesIntoAClipOfTheFile) {
+  const Grafted grafted = graft_into(tube_with_targets(), {"lean", "Talk"});
+  ASSERT_EQ(grafted.model.animations.size(), 1u);
+  ASSERT_EQ(grafted.model.animations[0].channels.size(), 1u);
+  EXPECT_EQ(weights_at(grafted.model, 1), (std::vector<float>{1, 0, 0, 0, 0, 1}));
+  const std::vector<float> at_frame_2 = weights_at(grafted.model, 2.0F / 24);
+  EXPECT_NEAR(at_frame_2[0], 2.0 / 24, 1e-6);
+  EXPECT_EQ(at_frame_2[4], 1);
+}
+
+TEST(Graft, MergesIntoAClipThatMovesOtherThings) {
+  GltfBuilder file = tube_file();
+  const int times = file.add_accessor(std::vector<float>{0, 1}, 1),
+            values = file.add_points({{0, 0, 0}, {1, 0, 0}});
+  file.add("animations",
+           {{"name", "Walk"},
+            {"samplers", {{{"input", times}, {"output", values}}}},
+            {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
+  const Grafted grafted = graft_into(file, {"lean", "Walk"});
+  ASSERT_EQ(grafted.model.animations.size(), 1u);
+  ASSERT_EQ(grafted.model.animations[0].channels.size(), 2u);
+  EXPECT_EQ(grafted.root["animations"][0]["channels"][0], file.root["animations"][0]["channels"][0]);
+  EXPECT_EQ(grafted.model.animations[0].channels[1].target_path, "weights");
+  try {
+    graft_into(file, {"lean", "Wak"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no animation 'Wak' in the file of the mesh; did you mean 'Walk'?"));
+  }
+}
+
+TEST(Graft, ASharedSamplerIsChangedForTheSolvedNodeAlone) {
+  GltfBuilder file = tube_with_targets();
+  file.add("meshes", json(file.root["meshes"][0]));
+  file.add("nodes", {{"name", "twin"}, {"mesh", 1}});
+  file.root["animations"][0]["channels"].push_back(
+      {{"sampler", 0}, {"target", {{"node", 1}, {"path", "weights"}}}});
+  const Grafted grafted = graft_into(file, {"lean", ""}, {"tube"});
+  const json& talk = grafted.root["animations"][0];
+  EXPECT_EQ(talk["samplers"][0], file.root["animations"][0]["samplers"][0]);
+  EXPECT_EQ(talk["channels"][0]["sampler"], 1);
+  EXPECT_EQ(talk["channels"][1]["sampler"], 0);
+}
+
+TEST(Graft, SkinJointsAndClipsOfASkinnedMeshStay) {
+  GltfBuilder file = tube_file();
+  const std::size_t count = static_cast<std::size_t>(Tube().vertex_count());
+  std::vector<std::uint8_t> joints(4 * count, 0);
+  std::vector<float> weights(4 * count, 0), identity(16, 0);
+  for (std::size_t v = 0; v < count; ++v) weights[4 * v] = 1;
+  for (std::size_t i = 0; i < 16; i += 5) identity[i] = 1;
+  json& attributes = file.root["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = file.add_accessor(joints, 4);
+  attributes["WEIGHTS_0"] = file.add_accessor(weights, 4);
+  file.add("skins", {{"joints", {1}}, {"inverseBindMatrices", file.add_accessor(identity, 16)}});
+  file.root["nodes"][0]["skin"] = 0;
+  file.root["nodes"][0]["translation"] = {100, 0, 0};
+  file.add("nodes", {{"name", "bone"}});
+  file.root["scenes"][0]["nodes"] = {0, 1};
+  const int times = file.add_accessor(std::vector<float>{0, 1}, 1),
+            values = file.add_points({{0, 0, 0}, {1, 0, 0}});
+  file.add("animations",
+           {{"name", "Walk"},
+            {"samplers", {{{"input", times}, {"output", values}}}},
+            {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}});
+  const Grafted grafted = graft_into(file);
+  EXPECT_LT(playback_error(grafted), 1e-6) << "in the bind pose";
+  for (const char* key : {"skins", "nodes"}) EXPECT_EQ(grafted.root[key], file.root[key]);
+  EXPECT_EQ(grafted.root["animations"][0], file.root["animations"][0]);
+  for (const char* semantic : {"JOINTS_0", "WEIGHTS_0"})
+    EXPECT_EQ(grafted.root["meshes"][0]["primitives"][0]["attributes"][semantic], attributes[semantic]);
+}
+
+}  // namespace
+}  // namespace flexkey::testing
