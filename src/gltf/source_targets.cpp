@@ -34,6 +34,7 @@ class Adding {
  private:
   void append_targets();
   std::set<std::string> attributes_of(const SolvedNode& node, std::size_t primitive) const;
+  bool needs_zeros(const SolvedNode& node, std::size_t primitive) const;
   void append_to(PrimitiveAddition& addition, const SolvedNode& node, std::size_t primitive,
                  const FloatRows& positions, const FloatRows& normals);
   int animation_named(const std::string& name) const;
@@ -84,11 +85,25 @@ std::set<std::string> Adding::attributes_of(const SolvedNode& node, std::size_t 
   return attributes;
 }
 
+/// Whether some target of a primitive, new or the file's, carries an attribute only because another does.
+bool Adding::needs_zeros(const SolvedNode& node, std::size_t primitive) const {
+  const std::set<std::string> attributes = attributes_of(node, primitive);
+  std::set<std::string> moving{"POSITION"};
+  if (node.primitives[primitive].has_normals) moving.insert("NORMAL");
+  const std::vector<GltfAttributes>& own = primitive_of(scene_, node, primitive).targets;
+  return !std::includes(moving.begin(), moving.end(), attributes.begin(), attributes.end()) ||
+         std::any_of(own.begin(), own.end(), [&](const GltfAttributes& target) {
+           return std::any_of(attributes.begin(), attributes.end(),
+                              [&](const std::string& semantic) { return !target.contains(semantic); });
+         });
+}
+
 void Adding::append_targets() {
   for (const SolvedNode& node : source_.nodes) {
     NodeAddition addition{node.node, std::vector<PrimitiveAddition>(node.primitives.size())};
     for (std::size_t p = 0; p < node.primitives.size(); ++p) {
       addition.primitives[p].drop_normals = !targets_.normals;
+      if (!needs_zeros(node, p)) continue;
       const FloatRows zeros = FloatRows::Zero(node.primitives[p].vertex_count, 3);
       addition.primitives[p].zeros = append_deltas(model_, nonzero_rows(zeros));
     }
@@ -205,10 +220,11 @@ bool Adding::is_led(int node) const {
 }
 
 void Adding::append_animation() {
-  const int input = append_times(model_, targets_.times);
+  int input = -1;
   for (const SolvedNode& node : source_.nodes) {
-    if (!is_led(node.node))
-      result_.channels.push_back({node.node, input, append_values(new_track(node).values)});
+    if (is_led(node.node)) continue;
+    if (input < 0) input = append_times(model_, targets_.times);
+    result_.channels.push_back({node.node, input, append_values(new_track(node).values)});
   }
 }
 
