@@ -42,7 +42,8 @@ struct Block {
 
 class Builder {
  public:
-  Builder(const GltfScene& scene, std::span<const std::byte> bytes) : scene_(scene), reader_(scene, bytes) {}
+  Builder(const GltfScene& scene, std::span<const unsigned char> bytes)
+      : scene_(scene), reader_(scene, bytes) {}
 
   void add(int node, const NodeTree& tree);
   GltfFile finish();
@@ -205,7 +206,7 @@ GltfFile Builder::finish() {
 }  // namespace
 
 GltfFile build_mesh(const GltfScene& scene, const NodeTree& tree, const std::vector<int>& nodes,
-                    std::span<const std::byte> bytes) {
+                    std::span<const unsigned char> bytes) {
   Builder builder(scene, bytes);
   for (const int node : nodes) builder.add(node, tree);
   return builder.finish();

@@ -13,6 +13,6 @@ namespace flexkey {
 /// The meshes of these nodes as one, with what leads back to them but without the document.
 /// Throws InputError for what cannot be read or solved, naming the primitive, node or accessor.
 GltfFile build_mesh(const GltfScene& scene, const NodeTree& tree, const std::vector<int>& nodes,
-                    std::span<const std::byte> bytes);
+                    std::span<const unsigned char> bytes);
 
 }  // namespace flexkey

@@ -16,7 +16,7 @@ namespace flexkey {
 namespace {
 
 using nlohmann::json;
-using Bytes = std::vector<std::byte>;
+using Bytes = std::vector<unsigned char>;
 
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
@@ -27,7 +27,7 @@ struct Range {
 
 class Gathering {
  public:
-  Gathering(const GltfDocument& document, const std::filesystem::path& folder)
+  Gathering(const Glb& document, const std::filesystem::path& folder)
       : folder_(folder), root_(json::parse(document.json)), chunk_(document.bytes) {}
   Gathered gather();
 
@@ -41,7 +41,7 @@ class Gathering {
   Bytes decoded(const json& compression, const std::string& what) const;
   void embed_images();
   void embed_image(json& image, std::size_t number);
-  std::size_t append(std::span<const std::byte> bytes);
+  std::size_t append(std::span<const unsigned char> bytes);
   void describe_buffer();
   bool is_compressed() const;
 
@@ -129,7 +129,7 @@ bool Gathering::is_compressed() const {
   });
 }
 
-std::size_t Gathering::append(std::span<const std::byte> bytes) {
+std::size_t Gathering::append(std::span<const unsigned char> bytes) {
   Bytes& all = result_.document.bytes;
   all.resize(static_cast<std::size_t>(aligned(static_cast<std::int64_t>(all.size()))));
   const std::size_t offset = all.size();
@@ -241,7 +241,7 @@ void Gathering::describe_buffer() {
 
 }  // namespace
 
-Gathered gather_buffers(const GltfDocument& document, const std::filesystem::path& folder) {
+Gathered gather_buffers(const Glb& document, const std::filesystem::path& folder) {
   return Gathering(document, folder).gather();
 }
 

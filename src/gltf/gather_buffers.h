@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "flexkey/gltf/gltf_document.h"
+#include "flexkey/gltf/glb.h"
 
 namespace flexkey {
 
 /// A document whose views are all of buffer 0.
 struct Gathered {
-  GltfDocument document;
+  Glb document;
   std::vector<std::filesystem::path> inputs;  // files that were read
   std::vector<std::string> warnings;          // images that are missing
 };
@@ -19,6 +19,6 @@ struct Gathered {
 /// views of EXT_meshopt_compression are decoded; images become views of it too, or stay as they are with a
 /// warning where they cannot be read. Every view lies within the bytes. Throws InputError that names the
 /// buffer or view: missing, shorter than it says, out of bounds.
-Gathered gather_buffers(const GltfDocument& document, const std::filesystem::path& folder);
+Gathered gather_buffers(const Glb& document, const std::filesystem::path& folder);
 
 }  // namespace flexkey

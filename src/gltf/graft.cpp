@@ -30,11 +30,11 @@ std::size_t target_count(const json& mesh) {
 
 class Grafting {
  public:
-  Grafting(const GltfDocument& file, const Addition& addition)
-      : addition_(addition), root_(json::parse(file.json)), added_(json::parse(addition.document.json)) {
+  Grafting(const Glb& file, const Addition& addition)
+      : addition_(addition), root_(json::parse(file.json)), added_(json::parse(addition.glb.json)) {
     result_.bytes = file.bytes;
   }
-  GltfDocument graft();
+  Glb graft();
 
  private:
   void append_buffers();
@@ -46,22 +46,23 @@ class Grafting {
   json renumbered(const GltfAttributes& attributes) const;
   void name_targets(json& mesh, std::size_t own) const;
   void change(const ChannelChange& change);
-  void animate();
+  void animate(const AnimationAddition& addition);
+  void describe(json& thing);
 
   const Addition& addition_;
   json root_, added_;
   int first_accessor_ = 0;
-  GltfDocument result_;
+  Glb result_;
 };
 
-GltfDocument Grafting::graft() {
+Glb Grafting::graft() {
   append_buffers();
   append_accessors();
   append_extensions("extensionsUsed");
   append_extensions("extensionsRequired");
   for (const NodeAddition& node : addition_.nodes) extend(node);
   for (const ChannelChange& changed : addition_.changed) change(changed);
-  if (!addition_.channels.empty()) animate();
+  for (const AnimationAddition& animation : addition_.animations) animate(animation);
   result_.json = root_.dump();
   return std::move(result_);
 }
@@ -70,10 +71,10 @@ GltfDocument Grafting::graft() {
 void Grafting::append_buffers() {
   json& buffers = items_of(root_, "buffers");
   if (buffers.empty()) buffers.push_back({{"byteLength", 0}});
-  std::vector<std::byte>& bytes = result_.bytes;
+  std::vector<unsigned char>& bytes = result_.bytes;
   bytes.resize(index(static_cast<int>(aligned(static_cast<std::int64_t>(bytes.size())))));
   const std::size_t start = bytes.size();
-  bytes.insert(bytes.end(), addition_.document.bytes.begin(), addition_.document.bytes.end());
+  bytes.insert(bytes.end(), addition_.glb.bytes.begin(), addition_.glb.bytes.end());
   buffers[0]["byteLength"] = bytes.size();
   const std::size_t others = buffers.size() - 1;
   json& added_buffers = items_of(added_, "buffers");
@@ -143,8 +144,8 @@ void Grafting::extend(const NodeAddition& addition) {
   extend_weights(items_of(mesh, "weights"));
   json& node = root_["nodes"][index(addition.node)];
   if (node.contains("weights")) extend_weights(node["weights"]);
+  describe(mesh);
   name_targets(mesh, own);
-  mesh["extras"].update(json::parse(addition_.extras));
 }
 
 json Grafting::renumbered(const GltfAttributes& attributes) const {
@@ -168,7 +169,6 @@ void Grafting::extend_primitive(json& primitive, const PrimitiveAddition& additi
 }
 
 void Grafting::name_targets(json& mesh, std::size_t own) const {
-  if (!mesh.contains("extras") || !mesh["extras"].is_object()) mesh["extras"] = json::object();
   json& names = mesh["extras"]["targetNames"];
   const auto is_text = [](const json& name) { return name.is_string(); };
   if (!names.is_array() || names.size() != own || !std::all_of(names.begin(), names.end(), is_text)) {
@@ -204,26 +204,35 @@ void Grafting::change(const ChannelChange& change) {
   }
 }
 
-void Grafting::animate() {
+void Grafting::animate(const AnimationAddition& addition) {
   json& animations = items_of(root_, "animations");
-  if (addition_.animation < 0) animations.push_back({{"name", addition_.animation_name}});
-  json& animation = addition_.animation < 0 ? animations.back() : animations[index(addition_.animation)];
+  if (addition.into < 0) animations.push_back({{"name", addition.name}});
+  json& animation = addition.into < 0 ? animations.back() : animations[index(addition.into)];
   json& samplers = items_of(animation, "samplers");
   json& channels = items_of(animation, "channels");
-  for (const NewChannel& channel : addition_.channels) {
+  for (const NewChannel& channel : addition.channels) {
     samplers.push_back({{"input", channel.input + first_accessor_},
                         {"output", channel.output + first_accessor_},
                         {"interpolation", "LINEAR"}});
     channels.push_back(
         {{"sampler", samplers.size() - 1}, {"target", {{"node", channel.node}, {"path", "weights"}}}});
   }
-  if (!animation.contains("extras") || !animation["extras"].is_object()) animation["extras"] = json::object();
-  animation["extras"].update(json::parse(addition_.extras));
+  describe(animation);
+}
+
+/// Gives it what the addition says of its mesh.
+void Grafting::describe(json& thing) {
+  if (!thing.contains("extras") || !thing["extras"].is_object()) thing["extras"] = json::object();
+  const json& meshes = items_of(added_, "meshes");
+  if (meshes.empty() || !meshes[0].contains("extras")) return;
+  json said = meshes[0]["extras"];
+  said.erase("targetNames");
+  thing["extras"].update(said);
 }
 
 }  // namespace
 
-GltfDocument graft(const GltfDocument& file, const Addition& addition) {
+Glb graft(const Glb& file, const Addition& addition) {
   return Grafting(file, addition).graft();
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "flexkey/gltf/gltf_document.h"
+#include "flexkey/gltf/glb.h"
 #include "flexkey/gltf/gltf_scene.h"
 
 namespace flexkey {
@@ -34,20 +34,25 @@ struct NewChannel {
   int input = 0, output = 0;  // accessors of the addition; LINEAR
 };
 
+/// An animation of the new targets.
+struct AnimationAddition {
+  std::string name;
+  int into = -1;  // animation of the file that gets the channels; -1: a new one of that name does
+  std::vector<NewChannel> channels;
+};
+
 /// What a clip adds to a file.
 struct Addition {
-  GltfDocument document;            // its buffers, views and accessors are appended to the file's
+  Glb glb;  // its buffers, views, accessors and extensions are appended to the file's; what the extras of its
+            // mesh 0 say is said of the meshes and animations that it adds to
   std::vector<NodeAddition> nodes;  // the solved ones
   std::vector<std::string> names;   // of the new targets
   std::vector<ChannelChange> changed;
-  std::vector<NewChannel> channels;
-  int animation = -1;  // of the file, which gets the new channels; -1: a new one does
-  std::string animation_name;
-  std::string extras;  // JSON object whose members the meshes and the animation get
+  std::vector<AnimationAddition> animations;
 };
 
 /// The file with the addition in it, and everything else as it was. A mesh that other nodes show too is
 /// copied for the solved one. Names of new targets that the file has already get a number behind them.
-GltfDocument graft(const GltfDocument& file, const Addition& addition);
+Glb graft(const Glb& file, const Addition& addition);
 
 }  // namespace flexkey

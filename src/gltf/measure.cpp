@@ -129,33 +129,50 @@ std::vector<double> keys_between(const std::vector<double>& keys, const std::vec
 
 }  // namespace
 
-PlaybackError measure_playback(const tinygltf::Model& model, const Asset& asset, const Basis& basis,
-                               Steps& steps) {
+Played played_by(const tinygltf::Model& model, const Asset& asset) {
   std::vector<int> vertices;
   for (const Primitive& primitive : asset.primitives)
     vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
-  const Solved solved(asset.clip);
-  ErrorSums sums;
-  const auto each = [&](const std::vector<double>& times, const Morphed& morphed, const auto& compare) {
-    for (const double time : times)
-      compare(solved.at(time), morphed.at(weights_at(basis, std::array{time}).cast<float>()));
+  const auto player_of = [&model](const char* attribute) {
+    return [&model, attribute]() -> Player {
+      return [morphed = Morphed(model, attribute)](const Eigen::RowVectorXf& weights) {
+        return morphed.at(weights);
+      };
+    };
   };
-  const Morphed positions(model, "POSITION");
-  each(solved.numbers(), positions, [&](const Positions& right, const Positions& played) {
-    sums.add_positions(right(vertices, Eigen::all), played);
-    steps.advance();
-  });
-  each(keys_between(basis.keys, solved.numbers()), positions,
-       [&](const Positions& right, const Positions& played) {
-         sums.add_largest(right(vertices, Eigen::all), played);
-       });
-  if (asset.normals) {
-    each(solved.numbers(), Morphed(model, "NORMAL"), [&](const Positions& right, const Positions& played) {
-      sums.add_normals(asset.normals->at(right)(vertices, Eigen::all), played);
+  Played played{{vertices, player_of("POSITION")}, {}, {}};
+  if (!asset.normals) return played;
+  played.normals = {vertices, player_of("NORMAL")};
+  played.solved_normals = [&asset](const Positions& positions) { return asset.normals->at(positions); };
+  return played;
+}
+
+PlaybackError measure_playback(const Played& played, const Clip& clip, const Basis& basis, Steps& steps) {
+  const Solved solved(clip);
+  ErrorSums sums;
+  const auto each = [&](const std::vector<double>& times, const Player& player, const auto& compare) {
+    for (const double time : times)
+      compare(solved.at(time), player(weights_at(basis, std::array{time}).cast<float>()));
+  };
+  {
+    const std::vector<int>& vertices = played.positions.vertices;
+    const Player player = played.positions.player();
+    each(solved.numbers(), player, [&](const Positions& right, const Positions& shown) {
+      sums.add_positions(right(vertices, Eigen::all), shown);
+      steps.advance();
+    });
+    each(keys_between(basis.keys, solved.numbers()), player,
+         [&](const Positions& right, const Positions& shown) {
+           sums.add_largest(right(vertices, Eigen::all), shown);
+         });
+  }
+  if (const std::vector<int>& vertices = played.normals.vertices; !vertices.empty()) {
+    each(solved.numbers(), played.normals.player(), [&](const Positions& right, const Positions& shown) {
+      sums.add_normals(played.solved_normals(right)(vertices, Eigen::all), shown);
       steps.advance();
     });
   }
-  return sums.result(bounds_of(asset.clip.mesh.positions).diagonal());
+  return sums.result(bounds_of(clip.mesh.positions).diagonal());
 }
 
 }  // namespace flexkey

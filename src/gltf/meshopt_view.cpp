@@ -35,13 +35,12 @@ void check_shape(const MeshoptView& view, std::size_t encoded_bytes) {
   require(view.filter != "QUATERNION" || view.stride == 8, "a quaternion filter has a stride of 8");
 }
 
-int decode(const MeshoptView& view, std::span<const std::byte> encoded, void* decoded) {
-  const auto* data = reinterpret_cast<const unsigned char*>(encoded.data());
+int decode(const MeshoptView& view, std::span<const unsigned char> encoded, void* decoded) {
   if (view.mode == "ATTRIBUTES")
-    return meshopt_decodeVertexBuffer(decoded, view.count, view.stride, data, encoded.size());
+    return meshopt_decodeVertexBuffer(decoded, view.count, view.stride, encoded.data(), encoded.size());
   if (view.mode == "TRIANGLES")
-    return meshopt_decodeIndexBuffer(decoded, view.count, view.stride, data, encoded.size());
-  return meshopt_decodeIndexSequence(decoded, view.count, view.stride, data, encoded.size());
+    return meshopt_decodeIndexBuffer(decoded, view.count, view.stride, encoded.data(), encoded.size());
+  return meshopt_decodeIndexSequence(decoded, view.count, view.stride, encoded.data(), encoded.size());
 }
 
 void unfilter(const MeshoptView& view, void* decoded) {
@@ -58,9 +57,9 @@ void unfilter(const MeshoptView& view, void* decoded) {
 
 }  // namespace
 
-std::vector<std::byte> decode_meshopt(std::span<const std::byte> encoded, const MeshoptView& view) {
+std::vector<unsigned char> decode_meshopt(std::span<const unsigned char> encoded, const MeshoptView& view) {
   check_shape(view, encoded.size());
-  std::vector<std::byte> decoded(view.count * view.stride);
+  std::vector<unsigned char> decoded(view.count * view.stride);
   if (const int error = decode(view, encoded, decoded.data()); error != 0)
     throw InputError(fmt::format("its data cannot be decoded (meshoptimizer's error {})", error));
   unfilter(view, decoded.data());

@@ -17,6 +17,6 @@ struct MeshoptView {
 
 /// The view's bytes, count x stride. Throws InputError with the reason for what the extension's rules forbid,
 /// for data that cannot be decoded, and for a count that they cannot hold.
-std::vector<std::byte> decode_meshopt(std::span<const std::byte> encoded, const MeshoptView& view);
+std::vector<unsigned char> decode_meshopt(std::span<const unsigned char> encoded, const MeshoptView& view);
 
 }  // namespace flexkey

@@ -45,7 +45,7 @@ std::size_t component_bytes(int type, const std::string& what) {
 }
 
 template <class Component>
-double component(const std::byte* at, bool normalized) {
+double component(const unsigned char* at, bool normalized) {
   Component value;
   std::memcpy(&value, at, sizeof value);
   const auto number = static_cast<double>(value);
@@ -53,7 +53,7 @@ double component(const std::byte* at, bool normalized) {
   return std::max(number / static_cast<double>(std::numeric_limits<Component>::max()), -1.0);
 }
 
-double component_at(const std::byte* at, int type, bool normalized) {
+double component_at(const unsigned char* at, int type, bool normalized) {
   switch (type) {
     case signed_byte:
       return component<std::int8_t>(at, normalized);
@@ -79,9 +79,9 @@ void require_index_type(int type, const std::string& what) {
 
 /// Where the elements of an accessor lie.
 struct AccessorReader::Elements {
-  const std::byte* first;
+  const unsigned char* first;
   std::size_t stride;
-  const std::byte* at(std::size_t element) const { return first + element * stride; }
+  const unsigned char* at(std::size_t element) const { return first + element * stride; }
 };
 
 AccessorReader::Elements AccessorReader::elements(const std::string& what, int view_index, std::size_t offset,

@@ -18,7 +18,8 @@ using AccessorRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen
 /// buffer view".
 class AccessorReader {
  public:
-  AccessorReader(const GltfScene& scene, std::span<const std::byte> bytes) : scene_(scene), bytes_(bytes) {}
+  AccessorReader(const GltfScene& scene, std::span<const unsigned char> bytes)
+      : scene_(scene), bytes_(bytes) {}
 
   /// All elements, #elements x columns, normalized integers as the numbers that they mean, sparse ones put
   /// in. Throws also for an accessor without `columns` columns, and for a value that is no finite number.
@@ -36,7 +37,7 @@ class AccessorReader {
   void put_in_sparse(const std::string& what, const GltfAccessor& accessor, AccessorRows& rows) const;
 
   const GltfScene& scene_;
-  std::span<const std::byte> bytes_;
+  std::span<const unsigned char> bytes_;
 };
 
 }  // namespace flexkey

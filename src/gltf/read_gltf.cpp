@@ -7,6 +7,7 @@
 #include "flexkey/gltf/gather_buffers.h"
 #include "flexkey/gltf/gltf_scene.h"
 #include "flexkey/gltf/node_tree.h"
+#include "flexkey/gltf/split_container.h"
 #include "flexkey/mesh/read_file.h"
 
 namespace flexkey {

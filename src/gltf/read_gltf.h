@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "flexkey/gltf/gltf_document.h"
+#include "flexkey/gltf/glb.h"
 #include "flexkey/mesh/error.h"
 #include "flexkey/mesh/mesh_file.h"
 
@@ -29,7 +29,7 @@ struct SolvedNode {
 
 /// Where a mesh came from, for writing it back.
 struct GltfSource {
-  GltfDocument document;          // the whole file
+  Glb document;                   // the whole file
   std::vector<SolvedNode> nodes;  // in the file's order
   Positions normals;              // #V x 3, the file's normals in each node's space; zeros where it has none
 };

@@ -34,7 +34,7 @@ std::string percent_decoded(std::string_view uri) {
   return text;
 }
 
-std::vector<std::byte> decode_data_uri(const std::string& uri) {
+std::vector<unsigned char> decode_data_uri(const std::string& uri) {
   constexpr std::string_view encoding = ";base64,";
   const std::size_t comma = uri.find(',');
   const std::size_t start = uri.find(encoding);
@@ -46,8 +46,7 @@ std::vector<std::byte> decode_data_uri(const std::string& uri) {
   const std::string known = "data:application/octet-stream;base64," + uri.substr(comma + 1);
   if (!tinygltf::DecodeDataURI(&decoded, ignored, known, 0, false))
     throw InputError("its data URI holds nothing");
-  const auto* bytes = reinterpret_cast<const std::byte*>(decoded.data());
-  return {bytes, bytes + decoded.size()};
+  return decoded;
 }
 
 /// Letters before a ':' name a scheme ("http:"), or a drive.
@@ -72,15 +71,15 @@ Resource read_resource(const std::string& uri, const fs::path& folder) {
   std::error_code ignored;  // what cannot be looked at is not there
   if (!fs::is_regular_file(path, ignored)) throw InputError("there is no such file");
   const std::string file = read_file(path);
-  const auto* bytes = reinterpret_cast<const std::byte*>(file.data());
-  return {{bytes, bytes + file.size()}, path};
+  return {{file.begin(), file.end()}, path};
 }
 
-std::string image_type_of(std::span<const std::byte> bytes) {
+std::string image_type_of(std::span<const unsigned char> bytes) {
   const auto has = [&](std::size_t offset, std::string_view magic) {
     return bytes.size() >= offset + magic.size() &&
-           std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset),
-                      [](char wanted, std::byte found) { return static_cast<std::byte>(wanted) == found; });
+           std::equal(
+               magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset),
+               [](char wanted, unsigned char found) { return static_cast<unsigned char>(wanted) == found; });
   };
   if (has(0, "\x89PNG\r\n\x1a\n")) return "image/png";
   if (has(0, "\xFF\xD8\xFF")) return "image/jpeg";

@@ -10,7 +10,7 @@ namespace flexkey {
 
 /// What a URI of a glTF file leads to.
 struct Resource {
-  std::vector<std::byte> bytes;
+  std::vector<unsigned char> bytes;
   std::filesystem::path path;  // of the file; empty for a data URI
 };
 
@@ -21,6 +21,6 @@ bool is_data_uri(const std::string& uri);
 Resource read_resource(const std::string& uri, const std::filesystem::path& folder);
 
 /// "image/png", "image/jpeg", "image/webp" or "image/ktx2" by the image's first bytes; else empty.
-std::string image_type_of(std::span<const std::byte> bytes);
+std::string image_type_of(std::span<const unsigned char> bytes);
 
 }  // namespace flexkey

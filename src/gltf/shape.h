@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "flexkey/mesh/weld.h"
 
 namespace flexkey {
+
+/// Normals at positions of all vertices of a mesh, #V x 3.
+using NormalsAt = std::function<Positions(const Positions&)>;
 
 /// One pose of the mesh as glTF stores it, a row a file vertex.
 struct Shape {

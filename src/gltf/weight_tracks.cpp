@@ -68,4 +68,10 @@ std::vector<WeightTrack> weight_tracks(const Clip& clip, const Basis& basis,
   return tracks;
 }
 
+std::vector<WeightTrack> tracks_of(const Clip& clip, const Basis& basis, const GltfOptions& options) {
+  std::vector<WeightTrack> tracks = weight_tracks(clip, basis, options.clips);
+  if (options.clips.empty() && !options.animation.empty()) tracks.front().name = options.animation;
+  return tracks;
+}
+
 }  // namespace flexkey

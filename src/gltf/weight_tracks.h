@@ -21,4 +21,7 @@ struct WeightTrack {
 std::vector<WeightTrack> weight_tracks(const Clip& clip, const Basis& basis,
                                        const std::vector<ClipRange>& ranges);
 
+/// The animations that the options ask for.
+std::vector<WeightTrack> tracks_of(const Clip& clip, const Basis& basis, const GltfOptions& options);
+
 }  // namespace flexkey

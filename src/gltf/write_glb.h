@@ -11,6 +11,8 @@
 
 namespace flexkey {
 
+struct GltfSource;
+
 /// Which targets the frames are made of.
 enum class BasisKind {
   knots,   // frames at which the motion bends, refitted; weights 0..1
@@ -36,8 +38,11 @@ struct GltfOptions {
   double tolerance =
       1e-3;             // of what plays, quantization included, a share of the rest diagonal; frames: unused
   bool normals = true;  // write smooth normals and their deltas; else none, and clients shade flat
-  std::vector<ClipRange> clips;  // one animation each; empty: one of the whole clip
-  std::string hash;              // of timeline and mesh, for extras
+  std::vector<ClipRange> clips;        // one animation each; empty: one of the whole clip
+  std::string animation;               // name of that one; empty: the clip's
+  const GltfSource* source = nullptr;  // the file that the clip's mesh is of: the clip is written into it
+  std::string merge_into;  // with a source, an animation of it that gets the weights; empty: a new one
+  std::string hash;        // of timeline and mesh, for extras
   std::filesystem::path
       texture_folder;     // where relative texture paths of materials start: the mesh file's folder
   int max_targets = 200;  // more are an error; WebGL2 guarantees 256
@@ -66,6 +71,7 @@ struct GltfReport {
 
 /// Writes the clip as a GLB: the rest mesh, its morph targets and their weights over time, LINEAR.
 /// One primitive a material; polygons become triangles; textures that are there as PNG or JPEG are embedded.
+/// With a source the file is that one, with nothing changed but the shape of what was solved (see graft.h).
 /// Written beside `path` and renamed when whole. Throws OutputError, and InputError for what glTF cannot
 /// hold or for more targets than are allowed.
 GltfReport write_glb(const Clip& clip, const GltfOptions& options, const std::filesystem::path& path);

@@ -7,7 +7,9 @@
 #include <Eigen/Geometry>
 
 #include "flexkey/gltf/following_normals.h"
-#include "flexkey/gltf/source_targets.h"
+#include "flexkey/gltf/read_gltf.h"
+#include "flexkey/gltf/write_glb.h"
+#include "flexkey/mesh/read_file.h"
 #include "gltf/clips.h"
 #include "gltf/glb_file.h"
 #include "gltf/images.h"
@@ -22,8 +24,37 @@ using meshes::add_tube;
 using meshes::GltfBuilder;
 using meshes::Tube;
 using meshes::tube_file;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+
+/// Two tubes in nodes that stretch, turn and mirror them.
+GltfBuilder two_tubes() {
+  GltfBuilder file;
+  file.add("meshes", {{"primitives", {add_tube(file)}}});
+  file.add("meshes", {{"primitives", {add_tube(file)}}});
+  file.add("nodes", {{"mesh", 0}, {"scale", {2, 1, 0.5}}, {"rotation", {0.6, 0, 0, 0.8}}});
+  file.add("nodes", {{"children", {2}}, {"translation", {5, 0, 0}}, {"scale", {-1, 3, 1}}});
+  file.add("nodes", {{"mesh", 1}, {"translation", {0, 1, 0}}});
+  file.add("scenes", {{"nodes", {0, 1}}});
+  return file;
+}
+
+/// The tube with two targets of its own, of which the second carries normals, an animation of them, and
+/// default weights.
+GltfBuilder tube_with_targets() {
+  GltfBuilder file = tube_file();
+  std::vector<Vec3> up(static_cast<std::size_t>(Tube().vertex_count()), Vec3(0, 0, 1));
+  json& mesh = file.root["meshes"][0];
+  mesh["primitives"][0]["targets"] = {{{"POSITION", file.add_points(up)}},
+                                      {{"POSITION", file.add_points(up)}, {"NORMAL", file.add_points(up)}}};
+  mesh["weights"] = {0.25, 0.5};
+  mesh["extras"] = {{"targetNames", {"f0001", "smile"}}};
+  const int times = file.add_accessor(std::vector<float>{0, 1}, 1),
+            values = file.add_accessor(std::vector<float>{0, 1, 1, 0}, 1);
+  file.add("animations", {{"name", "Talk"},
+                          {"samplers", {{{"input", times}, {"output", values}}}},
+                          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}});
+  return file;
+}
 
 /// Leans along x the more the higher, by frame: what bends the tube in scene space.
 Vec3 lean(const Vec3& p, int frame) {
@@ -32,51 +63,47 @@ Vec3 lean(const Vec3& p, int frame) {
 
 struct Grafted {
   GltfFile file;
-  std::vector<Positions> frames;
+  Clip clip;
+  GltfReport report;
   std::string glb;
   json root;
   tinygltf::Model model;
 };
 
-/// One target a frame.
-SourceTargets targets_of(const std::vector<Positions>& frames, const Positions& rest) {
-  const auto count = static_cast<Eigen::Index>(frames.size());
-  SourceTargets targets;
-  targets.times.resize(count, 1);
-  targets.weights = FloatRows::Identity(count, count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    targets.names.push_back("f000" + std::to_string(k));
-    targets.times(k, 0) = static_cast<float>(k) / 24;
-  }
-  targets.positions = [&frames, &rest](std::size_t k) { return Positions(frames[k] - rest); };
-  return targets;
+/// What a test changes of the writing.
+struct Wish {
+  std::string merge_into = {};
+  std::vector<std::string> nodes = {};
+  Encoding encoding = Encoding::floats;
+  bool normals = true;
+  std::vector<ClipRange> clips = {};
+};
+
+/// The JSON chunk of a GLB.
+json json_of(const std::string& glb) {
+  std::uint32_t length = 0;
+  std::memcpy(&length, glb.data() + 12, sizeof length);
+  return json::parse(glb.substr(20, length));
 }
 
-Grafted graft_into(const GltfBuilder& builder, const AnimationPlace& place = {"lean", ""},
-                   const std::vector<std::string>& nodes = {}) {
+/// The file with four frames in which it leans, a target each.
+Grafted graft_into(const GltfBuilder& builder, const Wish& wish = {}) {
   const TemporaryFolder folder;
   Grafted grafted;
-  grafted.file = read_gltf(builder.save(folder / "in.glb"), nodes);
-  const Mesh& mesh = grafted.file.file.mesh;
-  for (int k = 0; k < 4; ++k) {
-    Positions frame = mesh.positions;
-    for (Eigen::Index v = 0; v < frame.rows(); ++v)
-      frame.row(v) = lean(frame.row(v).transpose(), k).transpose();
-    grafted.frames.push_back(std::move(frame));
-  }
-  const FollowingNormals normals(mesh, grafted.file.source);
-  SourceTargets targets = targets_of(grafted.frames, mesh.positions);
-  targets.normals = [&](std::size_t k) {
-    return Positions(normals.at(grafted.frames[k]) - grafted.file.source.normals);
-  };
-  Addition addition = make_addition(grafted.file.source, targets, place);
-  addition.extras = R"({"fps": 24})";
-  const GltfDocument document = graft(grafted.file.source.document, addition);
-  grafted.root = json::parse(document.json);
-  grafted.glb = GltfBuilder::frame(
-      document.json, {reinterpret_cast<const char*>(document.bytes.data()), document.bytes.size()});
-  std::ofstream(folder / "out.glb", std::ios::binary) << grafted.glb;
-  grafted.model = load_glb(folder / "out.glb");
+  grafted.file = read_gltf(builder.save(folder / "in.glb"), wish.nodes);
+  grafted.clip = clip_of(grafted.file.file.mesh, 4, lean);
+  grafted.clip.name = "lean";
+  GltfOptions options;
+  options.basis = BasisKind::frames;
+  options.encoding = wish.encoding;
+  options.normals = wish.normals;
+  options.source = &grafted.file.source;
+  options.merge_into = wish.merge_into;
+  options.clips = wish.clips;
+  grafted.report = write_glb(grafted.clip, options, folder / "out.glb");
+  grafted.glb = read_file(folder / "out.glb");
+  grafted.root = json_of(grafted.glb);
+  if (wish.encoding == Encoding::floats) grafted.model = load_glb(folder / "out.glb");
   return grafted;
 }
 
@@ -85,7 +112,7 @@ Positions played(const Grafted& grafted, std::size_t node, std::size_t primitive
   const SolvedNode& solved = grafted.file.source.nodes[node];
   const auto mesh = static_cast<std::size_t>(grafted.model.nodes[static_cast<std::size_t>(solved.node)].mesh);
   const tinygltf::Primitive& written = grafted.model.meshes[mesh].primitives[primitive];
-  const std::size_t own = written.targets.size() - grafted.frames.size();
+  const std::size_t own = written.targets.size() - grafted.clip.frames.size();
   const Eigen::MatrixXf local =
       rows_of(grafted.model, written.attributes.at("POSITION")).cast<float>() +
       rows_of(grafted.model, written.targets[own + frame].at("POSITION")).cast<float>();
@@ -99,9 +126,9 @@ double playback_error(const Grafted& grafted) {
   for (std::size_t node = 0; node < grafted.file.source.nodes.size(); ++node) {
     const SolvedNode& solved = grafted.file.source.nodes[node];
     for (std::size_t p = 0; p < solved.primitives.size(); ++p)
-      for (std::size_t k = 0; k < grafted.frames.size(); ++k) {
-        const Positions wanted = grafted.frames[k].middleRows(solved.primitives[p].first_vertex,
-                                                              solved.primitives[p].vertex_count);
+      for (std::size_t k = 0; k < grafted.clip.frames.size(); ++k) {
+        const Positions wanted = grafted.clip.frames[k].middleRows(solved.primitives[p].first_vertex,
+                                                                   solved.primitives[p].vertex_count);
         largest = std::max(largest, (played(grafted, node, p, k) - wanted).rowwise().norm().maxCoeff());
       }
   }
@@ -117,9 +144,54 @@ TEST(Graft, TheTubeLeansAndItsSeamNeverOpens) {
   }
   const tinygltf::Mesh& mesh = grafted.model.meshes[0];
   EXPECT_EQ(mesh.weights, std::vector<double>(4, 0));
-  EXPECT_EQ(grafted.root["meshes"][0]["extras"],
-            json::parse(R"({"fps": 24, "targetNames": ["f0000", "f0001", "f0002", "f0003"]})"));
+  const json& extras = grafted.root["meshes"][0]["extras"];
+  EXPECT_EQ(extras["targetNames"], json::array({"f0000", "f0001", "f0002", "f0003"}));
+  EXPECT_EQ(extras["profile"], "exact");
+  EXPECT_EQ(grafted.root["animations"][0]["extras"]["fps"], 24);
   for (const auto& target : mesh.primitives[0].targets) EXPECT_EQ(target.count("NORMAL"), 1u);
+  EXPECT_LT(grafted.report.error, 1e-6);
+  EXPECT_LT(grafted.report.normal_error_largest, 0.01);
+  EXPECT_EQ(grafted.report.vertices, Tube().vertex_count());
+}
+
+TEST(Graft, NormalsFollowTheSurface) {
+  const Grafted grafted = graft_into(tube_file());
+  const FollowingNormals normals(grafted.file.file.mesh, grafted.file.source);
+  const tinygltf::Primitive& written = grafted.model.meshes[0].primitives[0];
+  const Eigen::MatrixXf shown = rows_of(grafted.model, written.attributes.at("NORMAL")).cast<float>() +
+                                rows_of(grafted.model, written.targets[3].at("NORMAL")).cast<float>();
+  const Positions wanted = normals.at(grafted.clip.frames[3]);
+  EXPECT_LT((shown.cast<double>() - wanted).rowwise().norm().maxCoeff(), 1e-3);
+  EXPECT_GT((wanted - grafted.file.source.normals).rowwise().norm().maxCoeff(), 0.1);
+}
+
+TEST(Graft, WithoutNormalsClientsShadeFlat) {
+  GltfBuilder file = tube_with_targets();
+  const Grafted grafted = graft_into(file, {.normals = false});
+  const json& primitive = grafted.root["meshes"][0]["primitives"][0];
+  EXPECT_FALSE(primitive["attributes"].contains("NORMAL"));
+  for (const json& target : primitive["targets"]) EXPECT_EQ(target.size(), 1u) << target;
+}
+
+TEST(Graft, TheWebProfileIsReadBackAsItWas) {
+  const TemporaryFolder folder;
+  const Grafted grafted = graft_into(two_tubes(), {.encoding = Encoding::meshopt});
+  EXPECT_THAT(grafted.root["extensionsRequired"],
+              ::testing::UnorderedElementsAre("KHR_mesh_quantization", "EXT_meshopt_compression"));
+  EXPECT_LE(grafted.report.error, 1e-3);
+  EXPECT_GT(grafted.report.error, 0);
+  std::ofstream(folder / "web.glb", std::ios::binary) << grafted.glb;
+  const GltfFile again = read_gltf(folder / "web.glb");
+  EXPECT_EQ(again.file.mesh.positions, grafted.file.file.mesh.positions);
+  EXPECT_EQ(again.file.mesh.corners, grafted.file.file.mesh.corners);
+}
+
+TEST(Graft, EveryClipIsAnAnimation) {
+  const Grafted grafted =
+      graft_into(tube_file(), {.clips = {{"first", 0, 1.0 / 24}, {"rest", 1.0 / 24, 3.0 / 24}}});
+  ASSERT_EQ(grafted.model.animations.size(), 2u);
+  EXPECT_EQ(grafted.model.animations[1].name, "rest");
+  EXPECT_EQ(grafted.root["animations"][1]["extras"]["fps"], 24);
 }
 
 TEST(Graft, TheNewAnimationPlaysATargetAFrame) {
@@ -162,18 +234,6 @@ TEST(Graft, EverythingElseIsAsItWas) {
   EXPECT_EQ(grafted.glb.find(file.bytes) != std::string::npos, true) << "its bytes are all there";
 }
 
-/// Two tubes in nodes that stretch, turn and mirror them.
-GltfBuilder two_tubes() {
-  GltfBuilder file;
-  file.add("meshes", {{"primitives", {add_tube(file)}}});
-  file.add("meshes", {{"primitives", {add_tube(file)}}});
-  file.add("nodes", {{"mesh", 0}, {"scale", {2, 1, 0.5}}, {"rotation", {0.6, 0, 0, 0.8}}});
-  file.add("nodes", {{"children", {2}}, {"translation", {5, 0, 0}}, {"scale", {-1, 3, 1}}});
-  file.add("nodes", {{"mesh", 1}, {"translation", {0, 1, 0}}});
-  file.add("scenes", {{"nodes", {0, 1}}});
-  return file;
-}
-
 TEST(Graft, NodesMoveInTheirOwnSpace) {
   const Grafted grafted = graft_into(two_tubes());
   EXPECT_LT(playback_error(grafted), 3e-6);
@@ -185,7 +245,7 @@ TEST(Graft, AMeshThatAnotherNodeShowsTooIsCopied) {
   GltfBuilder file = tube_file();
   file.add("nodes", {{"name", "other"}, {"mesh", 0}, {"translation", {9, 0, 0}}});
   file.root["scenes"][0]["nodes"] = {0, 1};
-  const Grafted one = graft_into(file, {"lean", ""}, {"tube"});
+  const Grafted one = graft_into(file, {.nodes = {"tube"}});
   EXPECT_EQ(one.root["nodes"][0]["mesh"], 1);
   EXPECT_EQ(one.root["meshes"][0], file.root["meshes"][0]) << "the other node's";
   EXPECT_LT(playback_error(one), 1e-6);
@@ -203,24 +263,6 @@ TEST(Graft, PrimitivesThatShareAccessorsShareTheirMotion) {
   const Grafted grafted = graft_into(file);
   EXPECT_EQ(grafted.file.file.mesh.vertex_count(), Tube().vertex_count());
   EXPECT_LT(playback_error(grafted), 1e-6);
-}
-
-/// The tube with two targets of its own, of which the second carries normals, an animation of them, and
-/// default weights.
-GltfBuilder tube_with_targets() {
-  GltfBuilder file = tube_file();
-  std::vector<Vec3> up(static_cast<std::size_t>(Tube().vertex_count()), Vec3(0, 0, 1));
-  json& mesh = file.root["meshes"][0];
-  mesh["primitives"][0]["targets"] = {{{"POSITION", file.add_points(up)}},
-                                      {{"POSITION", file.add_points(up)}, {"NORMAL", file.add_points(up)}}};
-  mesh["weights"] = {0.25, 0.5};
-  mesh["extras"] = {{"targetNames", {"f0001", "smile"}}};
-  const int times = file.add_accessor(std::vector<float>{0, 1}, 1),
-            values = file.add_accessor(std::vector<float>{0, 1, 1, 0}, 1);
-  file.add("animations", {{"name", "Talk"},
-                          {"samplers", {{{"input", times}, {"output", values}}}},
-                          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}});
-  return file;
 }
 
 TEST(Graft, TargetsOfTheFileStayFirst) {
@@ -252,7 +294,7 @@ TEST(Graft, TheFilesOwnAnimationsPlayAsBefore) {
 }
 
 TEST(Graft, MergesIntoAClipOfTheFile) {
-  const Grafted grafted = graft_into(tube_with_targets(), {"lean", "Talk"});
+  const Grafted grafted = graft_into(tube_with_targets(), {.merge_into = "Talk"});
   ASSERT_EQ(grafted.model.animations.size(), 1u);
   ASSERT_EQ(grafted.model.animations[0].channels.size(), 1u);
   EXPECT_EQ(weights_at(grafted.model, 1), (std::vector<float>{1, 0, 0, 0, 0, 1}));
@@ -269,13 +311,13 @@ TEST(Graft, MergesIntoAClipThatMovesOtherThings) {
            {{"name", "Walk"},
             {"samplers", {{{"input", times}, {"output", values}}}},
             {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
-  const Grafted grafted = graft_into(file, {"lean", "Walk"});
+  const Grafted grafted = graft_into(file, {.merge_into = "Walk"});
   ASSERT_EQ(grafted.model.animations.size(), 1u);
   ASSERT_EQ(grafted.model.animations[0].channels.size(), 2u);
   EXPECT_EQ(grafted.root["animations"][0]["channels"][0], file.root["animations"][0]["channels"][0]);
   EXPECT_EQ(grafted.model.animations[0].channels[1].target_path, "weights");
   try {
-    graft_into(file, {"lean", "Wak"});
+    graft_into(file, {.merge_into = "Wak"});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("no animation 'Wak' in the file of the mesh; did you mean 'Walk'?"));
@@ -288,7 +330,7 @@ TEST(Graft, ASharedSamplerIsChangedForTheSolvedNodeAlone) {
   file.add("nodes", {{"name", "twin"}, {"mesh", 1}});
   file.root["animations"][0]["channels"].push_back(
       {{"sampler", 0}, {"target", {{"node", 1}, {"path", "weights"}}}});
-  const Grafted grafted = graft_into(file, {"lean", ""}, {"tube"});
+  const Grafted grafted = graft_into(file, {.nodes = {"tube"}});
   const json& talk = grafted.root["animations"][0];
   EXPECT_EQ(talk["samplers"][0], file.root["animations"][0]["samplers"][0]);
   EXPECT_EQ(talk["channels"][0]["sampler"], 1);
@@ -341,7 +383,7 @@ TEST(Graft, TheValidatorFindsNoError) {
       GltfBuilder named = file;
       if (named.root.contains("animations")) named.root["animations"][0]["name"] = "Talk";
       files.push_back(folder / std::to_string(files.size()).append(".glb"));
-      std::ofstream(files.back(), std::ios::binary) << graft_into(named, {"lean", merge_into}).glb;
+      std::ofstream(files.back(), std::ios::binary) << graft_into(named, {.merge_into = merge_into}).glb;
     }
   const Outcome outcome = validate(files);
   EXPECT_EQ(outcome.status, 0) << outcome.output;

@@ -1,4 +1,4 @@
-#include "flexkey/gltf/gltf_document.h"
+#include "flexkey/gltf/split_container.h"
 
 #include <fmt/format.h>
 
@@ -43,7 +43,7 @@ Chunk chunk_at(std::string_view file, std::size_t offset, int number) {
   return {word_at(file, offset + 4), file.substr(offset + kChunkHeaderBytes, length)};
 }
 
-GltfDocument split_glb(std::string_view file) {
+Glb split_glb(std::string_view file) {
   if (file.size() < kHeaderBytes) throw InputError("the file ends inside the header of a GLB");
   if (const std::uint32_t version = word_at(file, 4); version != 2)
     throw InputError(fmt::format("it is a GLB of version {}; flexkey reads version 2", version));
@@ -54,13 +54,12 @@ GltfDocument split_glb(std::string_view file) {
 
   const Chunk first = chunk_at(glb, kHeaderBytes, 0);
   if (first.type != kJsonChunk) throw InputError("chunk 0 of the GLB is not its JSON");
-  GltfDocument document{std::string(first.bytes), {}};
+  Glb document{std::string(first.bytes), {}};
   const std::size_t second = kHeaderBytes + kChunkHeaderBytes + (first.bytes.size() + 3) / 4 * 4;
   if (second >= glb.size()) return document;
   const Chunk binary = chunk_at(glb, second, 1);
   if (binary.type != kBinaryChunk) return document;
-  const auto* bytes = reinterpret_cast<const std::byte*>(binary.bytes.data());
-  document.bytes.assign(bytes, bytes + binary.bytes.size());
+  document.bytes.assign(binary.bytes.begin(), binary.bytes.end());
   return document;
 }
 
@@ -109,9 +108,9 @@ void check_json(const std::string& text) {
 
 }  // namespace
 
-GltfDocument split_container(std::string_view file) {
+Glb split_container(std::string_view file) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  GltfDocument document;
+  Glb document;
   if (file.starts_with(kMagic)) {
     document = split_glb(file);
   } else {

@@ -1,4 +1,4 @@
-#include "flexkey/gltf/weight_track.h"
+#include "flexkey/gltf/sampler_track.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ Eigen::Index key_before(const FloatRows& times, float time) {
 }
 
 /// Cubic Hermite curve between two keys, glTF 2.0 appendix C.5; t in 0..1 of `duration` seconds.
-Eigen::RowVectorXf cubic(const WeightTrack& track, Eigen::Index key, float t, float duration) {
+Eigen::RowVectorXf cubic(const SamplerTrack& track, Eigen::Index key, float t, float duration) {
   const auto value = [&](Eigen::Index of) { return track.values.row(3 * of + 1); };
   const Eigen::RowVectorXf out_tangent = duration * track.values.row(3 * key + 2);
   const Eigen::RowVectorXf in_tangent = duration * track.values.row(3 * (key + 1));
@@ -27,14 +27,14 @@ Eigen::RowVectorXf cubic(const WeightTrack& track, Eigen::Index key, float t, fl
 
 }  // namespace
 
-WeightTrack padded(const WeightTrack& track, Eigen::Index count) {
-  WeightTrack result = track;
+SamplerTrack padded(const SamplerTrack& track, Eigen::Index count) {
+  SamplerTrack result = track;
   result.values = FloatRows::Zero(track.values.rows(), track.values.cols() + count);
   result.values.leftCols(track.values.cols()) = track.values;
   return result;
 }
 
-Eigen::RowVectorXf sample(const WeightTrack& track, float time) {
+Eigen::RowVectorXf sample(const SamplerTrack& track, float time) {
   const bool is_cubic = track.interpolation == "CUBICSPLINE";
   const auto value = [&](Eigen::Index key) { return track.values.row(is_cubic ? 3 * key + 1 : key); };
   const Eigen::Index key = key_before(track.times, time), last = track.times.rows() - 1;
@@ -45,7 +45,7 @@ Eigen::RowVectorXf sample(const WeightTrack& track, float time) {
   return (1 - t) * value(key) + t * value(key + 1);
 }
 
-WeightTrack side_by_side(const WeightTrack& first, const WeightTrack& second) {
+SamplerTrack side_by_side(const SamplerTrack& first, const SamplerTrack& second) {
   std::set<float> times(first.times.data(), first.times.data() + first.times.rows());
   if (first.interpolation == "STEP") {
     const std::set<float> steps = times;
@@ -54,7 +54,7 @@ WeightTrack side_by_side(const WeightTrack& first, const WeightTrack& second) {
   }
   times.insert(second.times.data(), second.times.data() + second.times.rows());
 
-  WeightTrack result;
+  SamplerTrack result;
   result.times.resize(static_cast<Eigen::Index>(times.size()), 1);
   result.values.resize(result.times.rows(), first.values.cols() + second.values.cols());
   Eigen::Index row = 0;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "flexkey/gltf/glb.h"
+#include "flexkey/gltf/measure.h"
+
+namespace flexkey {
+
+/// A file in memory, and what is to be said of it.
+struct Built {
+  Glb glb;
+  PlaybackError error;
+  int targets = 0;                      // new ones
+  int keys = 0;                         // times at which weights are given
+  int vertices = 0;                     // of all primitives that they move
+  std::vector<std::string> extensions;  // required
+  std::vector<std::string> warnings;
+};
+
+}  // namespace flexkey

@@ -1,0 +1,102 @@
+#include "flexkey/gltf/reduction.h"
+
+#include <fmt/format.h>
+
+#include <span>
+#include <utility>
+
+#include "flexkey/gltf/fit_targets.h"
+#include "flexkey/gltf/knot_basis.h"
+#include "flexkey/gltf/motion.h"
+#include "flexkey/gltf/pca_basis.h"
+#include "flexkey/mesh/error.h"
+
+namespace flexkey {
+namespace {
+
+// Normals that never turn by a tenth of a degree stay as they are at rest.
+constexpr double kStillNormal = 0.0017;
+
+/// How much of the tolerance the basis may spend, and how much the integers do, as a distance that they add
+/// on average: their largest is about three times that.
+struct Budget {
+  double basis = 1;
+  double integers = 0;
+};
+
+Budget budget_of(const GltfOptions& options, double strictness) {
+  if (options.encoding == Encoding::floats) return {1, 0};
+  return {0.8 * strictness, 0.06 * strictness};
+}
+
+Basis basis_of(const Motion& motion, const GltfOptions& options, double tolerance) {
+  switch (options.basis) {
+    case BasisKind::knots:
+      return knot_basis(motion, tolerance);
+    case BasisKind::pca: {
+      Basis basis = pca_basis(motion, tolerance);
+      return options.encoding == Encoding::floats ? with_weights_in_unit_range(basis) : basis;
+    }
+    case BasisKind::frames:
+      break;
+  }
+  return frame_basis(motion);
+}
+
+std::vector<int> numbers_of(const Clip& clip) {
+  std::vector<int> numbers;
+  for (const FrameReport& report : clip.reports) numbers.push_back(report.frame);
+  return numbers;
+}
+
+std::vector<FloatRows> normal_targets(const Clip& clip, const Basis& basis, const NormalsAt& normals,
+                                      Steps& steps) {
+  const auto normals_of = [&](std::size_t frame) {
+    steps.advance();
+    return normals(clip.frames[frame]);
+  };
+  return fit_targets(basis, numbers_of(clip), normals(clip.mesh.positions), normals_of, kStillNormal);
+}
+
+void require_allowed(const Basis& basis, const GltfOptions& options) {
+  const std::size_t targets = basis.targets.size();
+  if (targets <= static_cast<std::size_t>(options.max_targets)) return;
+  throw InputError(
+      fmt::format("the clip takes {} morph targets as '{}', and at most {} are allowed (max_targets); most "
+                  "viewers stop at "
+                  "256. A larger tolerance, or the profile 'compat' or 'web', takes fewer",
+                  targets, profile_name(options), options.max_targets));
+}
+
+/// glTF animates no weights of a mesh without targets.
+void require_one_target(Basis& basis, Eigen::Index vertex_count) {
+  if (!basis.targets.empty()) return;
+  basis.targets.emplace_back(FloatRows::Zero(vertex_count, 3));
+  basis.names.emplace_back("still");
+  basis.weights = Eigen::MatrixXf::Zero(static_cast<Eigen::Index>(basis.keys.size()), 1);
+}
+
+}  // namespace
+
+Reduction reduce(const Clip& clip, const ReductionPlan& plan, const GltfOptions& options, Steps& steps) {
+  const double tolerance = options.tolerance * bounds_of(clip.mesh.positions).diagonal();
+  const Budget budget = budget_of(options, plan.strictness);
+  const std::vector<int> numbers = numbers_of(clip);
+  Reduction result;
+  result.basis = basis_of({clip.frames, clip.mesh.positions, numbers}, options, budget.basis * tolerance);
+  require_allowed(result.basis, options);
+  require_one_target(result.basis, clip.mesh.positions.rows());
+  if (plan.normals) result.targets.normals = normal_targets(clip, result.basis, plan.normals, steps);
+  result.targets.positions = std::exchange(result.basis.targets, {});
+  result.rounding = budget.integers * tolerance;
+  return result;
+}
+
+QuantizedTargets quantize_into(Basis& basis, const Targets& targets, double length) {
+  QuantizedTargets quantized = quantize(targets, basis.weights, {.length = length});
+  const Eigen::Map<const Eigen::RowVectorXf> scales(quantized.scales.data(), basis.weights.cols());
+  basis.weights.array().rowwise() *= scales.array();
+  return quantized;
+}
+
+}  // namespace flexkey
