@@ -28,6 +28,9 @@ GltfOptions gltf_options(const Shot& run, const LoadedShot& loaded) {
   for (const NamedInterval& clip : run.clips)
     options.clips.push_back({clip.name, clip.time.from, clip.time.to});
   options.hash = loaded.hash;
+  options.animation = output.animation;
+  options.merge_into = output.merge_into.name;
+  if (loaded.source) options.source = &*loaded.source;
   options.texture_folder = loaded.mesh_path.parent_path();
   return options;
 }

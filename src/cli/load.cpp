@@ -4,6 +4,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cctype>
 #include <system_error>
 
@@ -12,6 +13,7 @@
 #include "flexkey/mesh/defects.h"
 #include "flexkey/mesh/read_file.h"
 #include "flexkey/mesh/read_mesh.h"
+#include "flexkey/mesh/spelling.h"
 #include "flexkey/mesh/weld.h"
 #include "flexkey/timeline/parse.h"
 
@@ -79,6 +81,18 @@ std::string fault_of_output(const LoadedShot& loaded, const fs::path& path, cons
   return {};
 }
 
+/// What is wrong with merging the weights into an animation of the mesh's file, or nothing.
+std::string fault_of_merge(const LoadedShot& loaded, const Shot& run) {
+  const std::string& name = run.gltf.merge_into.name;
+  const std::string file = loaded.mesh_path.filename().string();
+  if (name.empty()) return {};
+  if (!loaded.source) return fmt::format("there is no animation '{}': {} is no glTF file", name, file);
+  if (!run.clips.empty()) return "'merge_into' takes one animation, and 'clips' makes several";
+  const std::vector<std::string>& known = loaded.source->animations;
+  if (std::find(known.begin(), known.end(), name) != known.end()) return {};
+  return no_such_name("animation", name, file, known);
+}
+
 }  // namespace
 
 LoadedShot load_shot(const ShotOptions& options) {
@@ -132,6 +146,9 @@ std::vector<fs::path> plan_outputs(const LoadedShot& loaded, const ShotOptions& 
     const std::string wrong = fault_of_output(loaded, path, run.gltf, frames_to_write(loaded, options));
     if (!wrong.empty())
       throw TimelineError(loaded.shot.file, {error_at(run.gltf.where, wrong, options.overrides())});
+    if (const std::string unmerged = fault_of_merge(loaded, run); !unmerged.empty())
+      throw TimelineError(loaded.shot.file,
+                          {error_at(run.gltf.merge_into.where, unmerged, options.overrides())});
     paths.push_back(path);
   }
   return paths;

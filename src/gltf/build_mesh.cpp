@@ -196,6 +196,8 @@ GltfFile Builder::finish() {
   }
   close_gaps();
   mesh.materials = scene_.materials;
+  for (const GltfAnimation& animation : scene_.animations)
+    result_.source.animations.push_back(animation.name);
   for (Group& group : mesh.groups) {
     std::sort(group.faces.begin(), group.faces.end());
     group.faces.erase(std::unique(group.faces.begin(), group.faces.end()), group.faces.end());

@@ -29,9 +29,10 @@ struct SolvedNode {
 
 /// Where a mesh came from, for writing it back.
 struct GltfSource {
-  Glb document;                   // the whole file
-  std::vector<SolvedNode> nodes;  // in the file's order
-  Positions normals;              // #V x 3, the file's normals in each node's space; zeros where it has none
+  Glb document;                         // the whole file
+  std::vector<SolvedNode> nodes;        // in the file's order
+  std::vector<std::string> animations;  // names of all, as they stand in the file
+  Positions normals;  // #V x 3, the file's normals in each node's space; zeros where it has none
 };
 
 struct GltfFile {

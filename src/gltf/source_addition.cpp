@@ -158,12 +158,10 @@ PrimitiveAddition Adding::add_to(const SolvedNode& node, std::size_t p) {
 }
 
 int Adding::animation_named(const std::string& name) const {
-  std::vector<std::string> known;
-  for (std::size_t a = 0; a < scene_.animations.size(); ++a) {
-    if (scene_.animations[a].name == name) return static_cast<int>(a);
-    known.push_back(scene_.animations[a].name);
-  }
-  throw InputError(no_such_name("animation", name, "the file of the mesh", known));
+  const std::vector<std::string>& known = source_.animations;
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found == known.end()) throw InputError(no_such_name("animation", name, "the file of the mesh", known));
+  return static_cast<int>(found - known.begin());
 }
 
 bool Adding::is_solved(int node) const {

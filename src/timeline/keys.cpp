@@ -162,13 +162,18 @@ constexpr KeySpec gltf[] = {
      "largest error of the playback: share of the diagonal, or %; default 0.1%; frames need none"},
     {"normals", "smooth (default) or none"},
     {"max_targets", "most morph targets, 1 to 65535; default 200"},
-    {"animation", "name of the animation, or the clip to merge into", Built::ignored},
+    {"animation", "name of the animation, or a mapping that says where it goes"},
     {"handles", "whether handles are written as nodes", Built::ignored},
     {"split", "whether moving faces become a mesh of their own", Built::ignored},
 };
 
 constexpr KeySpec file[] = {
     {"path", "path of the file, in the output folder"},
+};
+
+constexpr KeySpec animation[] = {
+    {"name", "of the animation; default the shot's name"},
+    {"merge_into", "an animation of the mesh's glTF file that gets the weights, instead of one of their own"},
 };
 
 }  // namespace
@@ -191,5 +196,6 @@ constinit const MappingSpec solver_keys{"{preset: paper}", solver};
 constinit const MappingSpec output_keys{"{gltf: bar.glb}", output};
 constinit const MappingSpec gltf_keys{"{path: bar.glb}", gltf};
 constinit const MappingSpec file_keys{"{path: bar.pc2}", file};
+constinit const MappingSpec animation_keys{"{merge_into: Walk}", animation};
 
 }  // namespace flexkey

@@ -43,5 +43,6 @@ extern const MappingSpec solver_keys;
 extern const MappingSpec output_keys;
 extern const MappingSpec gltf_keys;
 extern const MappingSpec file_keys;  // an entry of cache, frames or usd
+extern const MappingSpec animation_keys;
 
 }  // namespace flexkey

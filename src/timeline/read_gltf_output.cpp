@@ -62,6 +62,31 @@ GltfOutput output_at(const Node& path, std::string_view place, Scope& scope) {
   return {.path = read_path(path, place, scope).value_or(""), .where = path.where};
 }
 
+/// The text of a name, or nothing and an error.
+std::optional<std::string> read_name(const Node& node, std::string_view place, Scope& scope) {
+  if (node.kind == Node::Kind::scalar && !node.text.empty()) return node.text;
+  scope.findings.error(node.where,
+                       fmt::format("{} is a name, not {}", place,
+                                   node.kind == Node::Kind::scalar ? "an empty text" : describe(node)));
+  return std::nullopt;
+}
+
+/// A name, or {name} or {merge_into}.
+void read_animation(const Node& node, GltfOutput& output, Scope& scope) {
+  if (node.kind != Node::Kind::map) {
+    output.animation = read_name(node, "'animation'", scope).value_or("");
+    return;
+  }
+  const std::optional<Fields> fields = read_fields(node, animation_keys, "'animation'", scope.findings);
+  if (const Node* name = fields->value("name"))
+    output.animation = read_name(*name, "'name' in 'animation'", scope).value_or("");
+  const Node* merge = fields->value("merge_into");
+  if (merge == nullptr) return;
+  output.merge_into = {read_name(*merge, "'merge_into'", scope).value_or(""), merge->where};
+  if (!output.animation.empty())
+    scope.findings.error(merge->where, "'merge_into' stands beside 'name'; the animation there has its own");
+}
+
 std::optional<NamedInterval> read_clip(const Entry& entry, Scope& scope) {
   const Node& node = entry.value;
   if (node.kind != Node::Kind::list || node.items.size() != 2) {
@@ -97,6 +122,7 @@ GltfOutput read_gltf_output(const Node& node, std::string_view place, Scope& sco
     output.normals =
         read_word<bool>(*normals, "normals", {{"smooth", true}, {"none", false}}, scope).value_or(true);
   }
+  if (const Node* animation = fields->value("animation")) read_animation(*animation, output, scope);
   return output;
 }
 

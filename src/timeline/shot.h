@@ -89,9 +89,15 @@ struct GltfOutput {
   enum class Encoding { floats, meshopt };
   Basis basis = Basis::knots;  // with floats `profile: compat`; pca with meshopt is `web`, frames `exact`
   Encoding encoding = Encoding::floats;
-  double tolerance = 1e-3;  // of what plays, a share of the diagonal; frames need none
-  bool normals = true;      // `normals: smooth`
-  int max_targets = 200;    // more are refused
+  double tolerance = 1e-3;     // of what plays, a share of the diagonal; frames need none
+  bool normals = true;         // `normals: smooth`
+  int max_targets = 200;       // more are refused
+  std::string animation = {};  // its name; empty: the shot's
+  struct Merge {
+    std::string name;  // of a clip of the mesh's file that gets the weights instead; empty: none
+    Mark where;
+  };
+  Merge merge_into = {};
 };
 
 /// The solved clip in another form: what output.cache, output.frames or output.usd names.

@@ -1,9 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/work_folder.h"
+#include "flexkey/mesh/read_file.h"
 #include "support/gltf_builder.h"
 
 namespace flexkey {
@@ -86,6 +89,56 @@ TEST_F(GltfInput, NoOutputReplacesABufferOfTheInput) {
   const ProgramResult result = run({"check", "shot.yaml"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, HasSubstr("the output './out.glb' would replace an input"));
+}
+
+/// The JSON chunk of a GLB.
+json json_of(const std::string& glb) {
+  std::uint32_t length = 0;
+  std::memcpy(&length, glb.data() + 12, sizeof length);
+  return json::parse(glb.substr(20, length));
+}
+
+TEST_F(GltfInput, AnimateWritesTheFileWithAnAnimationMore) {
+  for (const char* profile : {"compat", "web", "exact"}) {
+    const ProgramResult result =
+        run({"animate", "shot.yaml", "--set",
+             std::string("output={gltf: {path: out.glb, profile: ") + profile + "}}"});
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    const json root = json_of(read_file(folder() / "out.glb"));
+    EXPECT_EQ(root["nodes"], meshes::tube_file().root["nodes"]);
+    EXPECT_EQ(root["materials"], meshes::tube_file().root["materials"]);
+    EXPECT_EQ(root["animations"][0]["name"], "shot");
+    EXPECT_EQ(root["meshes"][0]["extras"]["profile"], profile);
+    EXPECT_EQ(root["meshes"][0]["weights"].size(), root["meshes"][0]["primitives"][0]["targets"].size());
+  }
+}
+
+TEST_F(GltfInput, WhatWasWrittenCanBeAnimatedAgain) {
+  ASSERT_EQ(run({"animate", "shot.yaml"}).exit_code, 0);
+  write("again.yaml", shot("out.glb"));
+  const ProgramResult result =
+      run({"animate", "again.yaml", "--set", "output={gltf: {path: again.glb, animation: second}}"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const json root = json_of(read_file(folder() / "again.glb"));
+  ASSERT_EQ(root["animations"].size(), 2u);
+  EXPECT_EQ(root["animations"][1]["name"], "second");
+  const auto names = root["meshes"][0]["extras"]["targetNames"].get<std::vector<std::string>>();
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size()) << "names are unique";
+}
+
+TEST_F(GltfInput, AnAnimationToMergeIntoHasToBeThere) {
+  const auto errors_with = [&](const std::string& mesh, const std::string& more) {
+    write("shot.yaml", shot(mesh) + more);
+    return run({"check", "shot.yaml", "--set",
+                "output={gltf: {path: out.glb, animation: {merge_into: Wak}}}"})
+        .errors;
+  };
+  EXPECT_EQ(errors_with("tube.glb", ""),
+            "--set output: error: no animation 'Wak' in tube.glb; it has no animations\n");
+  EXPECT_EQ(errors_with("bar.obj", ""),
+            "--set output: error: there is no animation 'Wak': bar.obj is no glTF file\n");
+  EXPECT_EQ(errors_with("tube.glb", "clips: {a: [0s, 0.5s]}\n"),
+            "--set output: error: 'merge_into' takes one animation, and 'clips' makes several\n");
 }
 
 }  // namespace

@@ -312,6 +312,13 @@ TEST(Errors, OfMeshSolverAndOutput) {
        "4:26: error: area_weighting scales the rows of system least-squares; direct has none"},
       {with_base("solver: {weights: uniform, cell: spokes-and-rims}\n"),
        "4:34: error: cell spokes-and-rims takes cotangents for its weights; uniform ones are none"},
+      {with_base("output: {gltf: {path: a.glb, animation: [a]}}\n"),
+       "4:41: error: 'animation' is a name, not a list"},
+      {with_base("output: {gltf: {path: a.glb, animation: {merg_into: a}}}\n"),
+       "4:42: error: unknown key 'merg_into' in 'animation'; did you mean 'merge_into'?"},
+      {with_base("output: {gltf: {path: a.glb, animation: {name: a, merge_into: ''}}}\n"),
+       "4:63: error: 'merge_into' is a name, not an empty text\n"
+       "shot.yaml:4:63: error: 'merge_into' stands beside 'name'; the animation there has its own"},
       {with_base("output: [a.glb]\n"), "4:9: error: 'output' is a path, not a list"},
       {with_base("output: {glft: a.glb}\n"),
        "4:10: error: unknown key 'glft' in 'output'; did you mean 'gltf'?"},

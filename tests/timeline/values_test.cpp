@@ -298,5 +298,16 @@ TEST(Output, ClipsAreNamedTimes) {
   EXPECT_DOUBLE_EQ(shot.clips[1].time.to, 1.5);
 }
 
+TEST(Output, AnimationForms) {
+  const auto gltf = [](const std::string& animation) {
+    return parse(with_base("output: {gltf: {path: a.glb, animation: " + animation + "}}\n")).gltf;
+  };
+  EXPECT_EQ(gltf("Lean").animation, "Lean");
+  EXPECT_EQ(gltf("{name: Lean}").animation, "Lean");
+  EXPECT_EQ(gltf("{merge_into: Walk}").merge_into.name, "Walk");
+  EXPECT_EQ(gltf("{merge_into: Walk}").merge_into.where.column, 54);
+  EXPECT_EQ(gltf("{merge_into: Walk}").animation, "");
+}
+
 }  // namespace
 }  // namespace flexkey

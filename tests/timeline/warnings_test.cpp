@@ -39,8 +39,7 @@ TEST(Warnings, OfMeshAndLambda) {
   const std::string text =
       "mesh: {file: a.glb, nodes: all, up: z}\nhandles: {base: {select: {group: a}}}\n"
       "lambda: {keys: {0s: 1}, regions: [{value: 7}]}\n";
-  EXPECT_THAT(warnings_of(text),
-              ElementsAre(ignored("1:33", "up"), ignored("3:25", "regions")));
+  EXPECT_THAT(warnings_of(text), ElementsAre(ignored("1:33", "up"), ignored("3:25", "regions")));
 }
 
 TEST(Warnings, OfOutputs) {
