@@ -24,18 +24,20 @@ std::uintmax_t padded(std::size_t bytes) {
   return static_cast<std::uintmax_t>(aligned(static_cast<std::int64_t>(bytes)));
 }
 
-void write_words(OutputFile& file, std::initializer_list<std::uintmax_t> words) {
+using Put = std::function<void(std::string_view)>;
+
+void put_words(const Put& put, std::initializer_list<std::uintmax_t> words) {
   for (const std::uintmax_t word : words) {
     const auto narrow = static_cast<std::uint32_t>(word);
-    file.write(std::as_bytes(std::span(&narrow, 1)));
+    put({reinterpret_cast<const char*>(&narrow), sizeof narrow});
   }
 }
 
-void write_chunk(OutputFile& file, std::uint32_t type, std::span<const std::byte> bytes, char filler) {
+void put_chunk(const Put& put, std::uint32_t type, std::string_view bytes, char filler) {
   const std::uintmax_t length = padded(bytes.size());
-  write_words(file, {length, type});
-  file.write(bytes);
-  file.write(std::string(length - bytes.size(), filler));
+  put_words(put, {length, type});
+  put(bytes);
+  put(std::string(length - bytes.size(), filler));
 }
 
 }  // namespace
@@ -53,16 +55,19 @@ Glb glb_of(tinygltf::Model&& model) {
   return glb;
 }
 
-std::uintmax_t save_glb(const Glb& glb, const std::filesystem::path& path) {
+void put_glb(const Glb& glb, const Put& put) {
   const std::uintmax_t total =
       kHeaderBytes + 2 * kChunkHeaderBytes + padded(glb.json.size()) + padded(glb.bytes.size());
-  if (total > static_cast<std::uintmax_t>(kMostGlbBytes)) {
-    throw InputError(fmt::format("'{}' would be larger than 4 GiB, which a GLB cannot be", path.string()));
-  }
+  if (total > static_cast<std::uintmax_t>(kMostGlbBytes))
+    throw InputError("the GLB would be larger than 4 GiB, which it cannot be");
+  put_words(put, {kMagic, 2, total});
+  put_chunk(put, kJsonChunk, glb.json, ' ');
+  put_chunk(put, kBinChunk, {reinterpret_cast<const char*>(glb.bytes.data()), glb.bytes.size()}, '\0');
+}
+
+std::uintmax_t save_glb(const Glb& glb, const std::filesystem::path& path) {
   OutputFile file(path);
-  write_words(file, {kMagic, 2, total});
-  write_chunk(file, kJsonChunk, std::as_bytes(std::span(glb.json)), ' ');
-  write_chunk(file, kBinChunk, std::as_bytes(std::span(glb.bytes)), '\0');
+  put_glb(glb, [&](std::string_view bytes) { file.write(bytes); });
   file.commit();
   return file.bytes_written();
 }

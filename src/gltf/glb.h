@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tinygltf {
@@ -19,6 +21,9 @@ struct Glb {
 
 /// The model's buffer 0, its only one, becomes the binary chunk.
 Glb glb_of(tinygltf::Model&& model);
+
+/// Hands the file's bytes over, piece by piece. Throws InputError where it would reach 4 GiB.
+void put_glb(const Glb& glb, const std::function<void(std::string_view)>& put);
 
 /// Writes a GLB, which appears under its name only when whole. Returns its bytes.
 /// Throws OutputError where the file cannot be written, and InputError where it would reach 4 GiB.

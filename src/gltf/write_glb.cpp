@@ -117,6 +117,21 @@ void warn(const GltfOptions& options, GltfReport& report) {
   }
 }
 
+/// A GLB that is ready to be written.
+struct Finished {
+  Glb glb;
+  GltfReport report;  // without the bytes
+};
+
+Finished finish(const Clip& clip, const GltfOptions& options) {
+  check_clip(clip);
+  Built built = build_within_tolerance(clip, options);
+  GltfReport report = report_on(built, options);
+  warn(options, report);
+  Glb glb = options.encoding == Encoding::meshopt ? meshopt_compressed(built.glb) : std::move(built.glb);
+  return {std::move(glb), std::move(report)};
+}
+
 }  // namespace
 
 std::string profile_name(const GltfOptions& options) {
@@ -127,13 +142,18 @@ std::string profile_name(const GltfOptions& options) {
 }
 
 GltfReport write_glb(const Clip& clip, const GltfOptions& options, const std::filesystem::path& path) {
-  check_clip(clip);
-  const Built built = build_within_tolerance(clip, options);
-  GltfReport report = report_on(built, options);
-  warn(options, report);
-  const Glb glb = options.encoding == Encoding::meshopt ? meshopt_compressed(built.glb) : built.glb;
-  report.bytes = save_glb(glb, path);
-  return report;
+  Finished finished = finish(clip, options);
+  finished.report.bytes = save_glb(finished.glb, path);
+  return std::move(finished.report);
+}
+
+GlbFile make_glb(const Clip& clip, const GltfOptions& options) {
+  Finished finished = finish(clip, options);
+  GlbFile file;
+  put_glb(finished.glb, [&](std::string_view bytes) { file.bytes += bytes; });
+  file.report = std::move(finished.report);
+  file.report.bytes = file.bytes.size();
+  return file;
 }
 
 }  // namespace flexkey

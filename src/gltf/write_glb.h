@@ -76,4 +76,13 @@ struct GltfReport {
 /// hold or for more targets than are allowed.
 GltfReport write_glb(const Clip& clip, const GltfOptions& options, const std::filesystem::path& path);
 
+/// A GLB in memory.
+struct GlbFile {
+  std::string bytes;
+  GltfReport report;
+};
+
+/// The same for what holds a GLB inside, such as a page.
+GlbFile make_glb(const Clip& clip, const GltfOptions& options);
+
 }  // namespace flexkey
