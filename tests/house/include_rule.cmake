@@ -6,15 +6,16 @@ set(deform_may "mesh;deform")
 set(animate_may "mesh;timeline;deform;animate")
 set(cache_may "mesh;cache;animate/clip.h")
 set(gltf_may "mesh;gltf;animate/clip.h")
+set(html_may "mesh;html;animate/clip.h")
 set(preview_may "mesh;preview;animate/clip.h")
-set(cli_may "mesh;timeline;deform;animate;cache;gltf;preview;cli")
+set(cli_may "mesh;timeline;deform;animate;cache;gltf;html;preview;cli")
 
 # Third-party headers by the one stage whose .cpp files may name them.
 set(third_party
   "tiny_obj_loader=mesh" "yaml-cpp/=timeline" "metis=deform" "cholmod=deform" "tbb/=deform|animate|gltf|cli"
   "tiny_gltf=gltf" "meshoptimizer=gltf" "opensubdiv/=preview" "embree=preview" "OpenImageIO=preview" "CLI/=cli" "xxhash=cli"
   "zip\\.h=cache"
-  "nlohmann=gltf|cli" "fmt/=mesh|timeline|deform|animate|cache|gltf|preview|cli")
+  "nlohmann=gltf|html|cli" "fmt/=mesh|timeline|deform|animate|cache|gltf|html|preview|cli")
 
 set(broken "")
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/*.h ${SOURCE}/*.cpp)
@@ -30,7 +31,7 @@ foreach(file IN LISTS files)
   endif()
   file(STRINGS ${SOURCE}/${file} includes REGEX "^ *# *include")
   foreach(line IN LISTS includes)
-    if(line MATCHES "[\"<](flexkey/)?((mesh|timeline|deform|animate|cache|gltf|preview|cli)/[^\">]+)")
+    if(line MATCHES "[\"<](flexkey/)?((mesh|timeline|deform|animate|cache|gltf|html|preview|cli)/[^\">]+)")
       set(header ${CMAKE_MATCH_2})
       set(used ${CMAKE_MATCH_3})
       if(NOT used IN_LIST ${stage}_may AND NOT header IN_LIST ${stage}_may)
