@@ -9,6 +9,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/gltf_options.h"
+#include "cli/html_page.h"
 #include "cli/interrupt.h"
 #include "cli/load.h"
 #include "cli/progress.h"
@@ -29,17 +30,19 @@ constexpr std::size_t together = 5;
 void require_outputs(const LoadedShot& loaded, const ShotOptions& options, const std::vector<Shot>& runs) {
   const std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs);
   check_caches(loaded, options, runs);
-  if (paths.empty() && loaded.shot.caches.empty())
+  check_pages(loaded, options, runs);
+  if (paths.empty() && loaded.shot.caches.empty() && loaded.shot.html.path.empty())
     throw UsageError(
         fmt::format("{} names no output; add 'output: {}.glb'", loaded.shot.file, loaded.shot.name));
   for (const std::filesystem::path& path : paths)
     OutputFile probe(path);  // made and, uncommitted, removed again
   probe_caches(loaded, options, runs);
+  probe_pages(options, runs);
 }
 
 /// Whether an output needs all frames at once.
 bool needs_clip(const Shot& shot) {
-  return !shot.gltf.path.empty();
+  return !shot.gltf.path.empty() || !shot.html.path.empty();
 }
 
 Verbosity verbosity_of(const ShotOptions& options) {
@@ -87,23 +90,41 @@ std::vector<Solved> solve(const LoadedShot& loaded, const ShotOptions& options, 
   return solved;
 }
 
-void write_gltf(Solved& solved, const Shot& run, const LoadedShot& loaded, const ShotOptions& options) {
-  const Stopwatch watch;
-  GltfOptions gltf = gltf_options(run, loaded);
+/// Writes what needs all frames at once.
+void write_clip(Solved& solved, const SolvedRun& run, const LoadedShot& loaded, const ShotOptions& options) {
+  RunReport& report = solved.report;
   const int frames = static_cast<int>(solved.clip.frames.size());
   Progress progress(frames, verbosity_of(options), "Writing");
+  GltfOptions gltf = gltf_options(run.shot, loaded);
   gltf.on_progress = [&](double share) { progress.reach(static_cast<int>(share * frames)); };
-  const std::filesystem::path path = options.out_dir / run.gltf.path;
-  solved.report.written.push_back({path, write_glb(solved.clip, gltf, path)});
-  solved.report.write_seconds = watch.seconds();
+  if (!run.shot.gltf.path.empty()) {
+    const Stopwatch watch;
+    const std::filesystem::path path = options.out_dir / run.shot.gltf.path;
+    report.written.push_back({path, write_glb(solved.clip, gltf, path)});
+    report.write_seconds = watch.seconds();
+  }
+  if (!run.shot.html.path.empty())
+    report.pages.push_back(write_html_page(run, gltf, options.out_dir / run.shot.html.path, report.written));
+}
+
+/// Of the run's GLBs; the one in a page is that of the file beside it, where there is one.
+std::vector<std::string> gltf_warnings(const RunReport& report) {
+  std::vector<std::string> warnings;
+  const auto take = [&](const auto& files) {
+    for (const auto& file : files)
+      warnings.insert(warnings.end(), file.gltf.warnings.begin(), file.gltf.warnings.end());
+  };
+  take(report.written);
+  if (report.written.empty()) take(report.pages);
+  return warnings;
 }
 
 /// What a signal left of a batch of runs, for a person.
 std::string stop_text(const Solved& solved, const Shot& run, const ShotOptions& options, int frames) {
   std::vector<std::string> fates = solved.caches.fates();
-  if (!run.gltf.path.empty())
-    fates.insert(fates.begin(),
-                 fmt::format("'{}' was not written", (options.out_dir / run.gltf.path).string()));
+  for (const std::string& path : {run.html.path, run.gltf.path})
+    if (!path.empty())
+      fates.insert(fates.begin(), fmt::format("'{}' was not written", (options.out_dir / path).string()));
   return fmt::format("\nflexkey: stopped by a signal after {} of {} frames; {}\n",
                      solved.report.frames.size(), frames, fmt::join(fates, ", "));
 }
@@ -112,8 +133,7 @@ void print_report(const LoadedShot& loaded, const ShotOptions& options, const st
                   double load_seconds) {
   if (!options.quiet) {
     for (const RunReport& report : reports)
-      for (const WrittenFile& file : report.written)
-        for (const std::string& warning : file.gltf.warnings) say(fmt::format("warning: {}\n", warning));
+      for (const std::string& warning : gltf_warnings(report)) say(fmt::format("warning: {}\n", warning));
     say(report_text(loaded, reports, load_seconds));
   }
   if (options.json) {
@@ -122,6 +142,7 @@ void print_report(const LoadedShot& loaded, const ShotOptions& options, const st
     for (const RunReport& report : reports) {
       for (const WrittenFile& file : report.written) print_result(fmt::format("{}\n", file.path.string()));
       for (const WrittenCache& cache : report.caches) print_result(fmt::format("{}\n", cache.path.string()));
+      for (const WrittenPage& page : report.pages) print_result(fmt::format("{}\n", page.path.string()));
     }
   }
 }
@@ -156,7 +177,7 @@ int run_animate(const ShotOptions& options) {
       }
       for (std::size_t k = 0; k < batch.size(); ++k) {
         solved[k].report.caches = solved[k].caches.finish();
-        if (!batch[k].gltf.path.empty()) write_gltf(solved[k], batch[k], loaded, options);
+        if (needs_clip(batch[k])) write_clip(solved[k], {batch[k], scene, solved[k].clip}, loaded, options);
         reports.push_back(std::move(solved[k].report));
       }
     }

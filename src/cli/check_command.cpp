@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/html_page.h"
 #include "cli/load.h"
 #include "flexkey/animate/scene.h"
 #include "flexkey/mesh/connectivity.h"
@@ -55,6 +56,7 @@ json summary(const LoadedShot& loaded, const Scene& scene) {
   for (const Shot& run : runs_of(loaded.shot)) {
     if (!run.gltf.path.empty()) outputs.push_back(run.gltf.path);
     for (const CacheOutput& cache : run.caches) outputs.push_back(cache.path);
+    if (!run.html.path.empty()) outputs.push_back(run.html.path);
   }
   json groups = json::array();
   for (const Group& group : loaded.mesh.groups)
@@ -112,6 +114,7 @@ int run_check(const ShotOptions& options) {
   const std::vector<Shot> runs = runs_of(loaded.shot);
   plan_outputs(loaded, options, runs);  // for its errors: what `animate` would refuse
   check_caches(loaded, options, runs);
+  check_pages(loaded, options, runs);
   const json report = summary(loaded, scene);
   if (!options.quiet)
     for (const std::string& warning : loaded.warnings) say(fmt::format("{}\n", warning));

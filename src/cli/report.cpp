@@ -70,10 +70,23 @@ json cache_json(const WrittenCache& cache) {
           {"seconds", cache.seconds}};
 }
 
+json page_json(const WrittenPage& page) {
+  return {{"path", page.path.string()},   {"bytes", page.bytes},      {"profile", page.gltf.profile},
+          {"targets", page.gltf.targets}, {"error", page.gltf.error}, {"seconds", page.seconds}};
+}
+
 std::string cache_text(const WrittenCache& cache) {
   const std::string files = cache.files > 1 ? fmt::format("{} files, ", cache.files) : "";
   return fmt::format("  write  {:6.2f} s   {}, {}{}\n", cache.seconds, cache.path.string(), files,
                      size_text(cache.bytes));
+}
+
+std::string page_text(const WrittenPage& page) {
+  return fmt::format(
+      "  write  {:6.2f} s   {}, {}\n         {}: {} targets, off by at most {:.2g} % of the "
+      "diagonal; open it in a browser\n",
+      page.seconds, page.path.string(), size_text(page.bytes), page.gltf.profile, page.gltf.targets,
+      100 * page.gltf.error);
 }
 
 /// "plays in three.js and Godot; not in Blender (reads no …)"
@@ -93,6 +106,7 @@ json run_json(const RunReport& run) {
   for (const FrameReport& frame : run.frames) frames.push_back(frame_json(frame));
   for (const WrittenFile& file : run.written) written.push_back(gltf_json(file));
   for (const WrittenCache& cache : run.caches) written.push_back(cache_json(cache));
+  for (const WrittenPage& page : run.pages) written.push_back(page_json(page));
   return {{"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
           {"frames", run.frames.size()},
           {"solves", run.solves()},
@@ -163,6 +177,7 @@ std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& 
           run.write_seconds, file.path.string(), size_text(file.gltf.bytes), file.gltf.profile,
           file.gltf.targets, 100 * file.gltf.error, clients_text(file.gltf.clients));
     for (const WrittenCache& cache : run.caches) text += cache_text(cache);
+    for (const WrittenPage& page : run.pages) text += page_text(page);
   }
   return text;
 }

@@ -26,6 +26,14 @@ struct WrittenCache {
   double seconds = 0;        // of writing
 };
 
+/// A page that a run wrote.
+struct WrittenPage {
+  std::filesystem::path path;
+  std::uintmax_t bytes = 0;
+  GltfReport gltf;     // of the GLB in it
+  double seconds = 0;  // of writing
+};
+
 /// One solve of the shot, one of several in a sweep.
 struct RunReport {
   double lambda_first = 0, lambda_last = 0;
@@ -34,6 +42,7 @@ struct RunReport {
   double solve_seconds = 0, write_seconds = 0;
   std::vector<WrittenFile> written;
   std::vector<WrittenCache> caches;
+  std::vector<WrittenPage> pages;
 
   int solves() const;
   std::vector<int> unconverged() const;

@@ -147,7 +147,7 @@ constexpr KeySpec output[] = {
     {"gltf", "path of the GLB, or a mapping"},
     {"preview", "pictures of the clip", Built::ignored},
     {"cache", "a vertex cache: path ending in .pc2 or .mdd, or a list of them"},
-    {"html", "a page that plays the clip", Built::ignored},
+    {"html", "path of a page that plays the clip in a browser, or a mapping"},
     {"frames", "a file a frame: pattern such as frames/%04d.obj or frames/%04d.npz, or a list of them"},
     {"usd", "the clip as USD: path ending in .usda"},
     {"report", "a report of the solve", Built::ignored},

@@ -42,7 +42,7 @@ extern const MappingSpec lambda_keys;
 extern const MappingSpec solver_keys;
 extern const MappingSpec output_keys;
 extern const MappingSpec gltf_keys;
-extern const MappingSpec file_keys;  // an entry of cache, frames or usd
+extern const MappingSpec file_keys;  // an entry of cache, frames or usd; html
 extern const MappingSpec animation_keys;
 
 }  // namespace flexkey

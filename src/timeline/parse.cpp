@@ -94,6 +94,7 @@ Shot read_contents(const Fields& fields, Scope& scope) {
     Outputs outputs = read_output(*node, scope);
     shot.gltf = std::move(outputs.gltf);
     shot.caches = std::move(outputs.caches);
+    shot.html = std::move(outputs.html);
   }
   if (const Node* node = fields.value("clips")) shot.clips = read_clips(*node, scope);
   if (const Node* node = fields.value("sweep")) shot.sweep.lambda = read_sweep(*node, scope);

@@ -96,6 +96,7 @@ std::string expand_pattern(const std::string& pattern, const Shot& shot) {
 void check_output_paths(const Shot& shot, Findings& findings) {
   check_output_path({shot.gltf.path, shot.gltf.where}, shot, findings);
   for (const CacheOutput& cache : shot.caches) check_output_path({cache.path, cache.where}, shot, findings);
+  check_output_path({shot.html.path, shot.html.where}, shot, findings);
 }
 
 std::string expand_placeholders(const std::string& path, const Shot& shot) {
@@ -117,6 +118,7 @@ std::vector<Shot> runs_of(const Shot& shot) {
     for (CacheOutput& cache : run.caches)
       cache.path =
           cache.is_sequence() ? expand_pattern(cache.path, run) : expand_placeholders(cache.path, run);
+    run.html.path = expand_placeholders(shot.html.path, run);
   }
   return runs;
 }

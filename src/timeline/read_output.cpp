@@ -5,6 +5,7 @@
 #include "flexkey/timeline/fields.h"
 #include "flexkey/timeline/read_cache_output.h"
 #include "flexkey/timeline/read_gltf_output.h"
+#include "flexkey/timeline/read_html_output.h"
 
 namespace flexkey {
 
@@ -17,6 +18,7 @@ Outputs read_output(const Node& node, Scope& scope) {
   const std::optional<Fields> fields = read_fields(node, output_keys, "'output'", scope.findings);
   if (const Node* gltf = fields->value("gltf")) outputs.gltf = read_gltf_output(*gltf, "'gltf'", scope);
   outputs.caches = read_cache_outputs(*fields, scope);
+  if (const Node* html = fields->value("html")) outputs.html = read_html_output(*html, scope);
   return outputs;
 }
 

@@ -11,9 +11,10 @@ namespace flexkey {
 struct Outputs {
   GltfOutput gltf;
   std::vector<CacheOutput> caches;
+  HtmlOutput html;
 };
 
-/// `output`: the path of a GLB, or {gltf, cache, frames, usd}. Without `gltf` that has no path.
+/// `output`: the path of a GLB, or {gltf, cache, frames, usd, html}. What is not named has no path.
 Outputs read_output(const Node& node, Scope& scope);
 
 }  // namespace flexkey

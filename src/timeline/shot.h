@@ -111,6 +111,12 @@ struct CacheOutput {
   bool is_sequence() const { return form == Form::obj || form == Form::npz; }
 };
 
+/// What output.html says; path is empty where no page is asked for.
+struct HtmlOutput {
+  std::string path;  // as the timeline gives it, placeholders and all
+  Mark where;
+};
+
 /// A part of the shot under a name of its own.
 struct NamedInterval {
   std::string name;
@@ -136,6 +142,7 @@ struct Shot {
   SolverSettings solver;
   GltfOutput gltf;
   std::vector<CacheOutput> caches;
+  HtmlOutput html;
   std::vector<NamedInterval> clips;  // an animation each in the GLB; empty: one of the whole shot
   Sweep sweep;
 

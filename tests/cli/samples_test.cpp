@@ -30,6 +30,7 @@ TEST_F(Samples, EveryShotGivesAGlbThatTheValidatorAccepts) {
     EXPECT_EQ(fs::path(glb).filename(), std::string(name == std::string("minimal") ? "bar" : name) + ".glb");
     files += fmt::format(" '{}'", (folder() / glb).string());
   }
+  EXPECT_TRUE(fs::exists(folder() / "out/nose.html"));
   const fs::path validate = source / "tools/validate";
   if (!fs::exists(validate / "node_modules"))
     GTEST_SKIP() << "glTF-Validator is not installed: npm ci in " << validate;

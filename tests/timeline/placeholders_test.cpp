@@ -53,6 +53,14 @@ TEST(Runs, OfASweepHaveOneLambdaEach) {
   EXPECT_EQ(runs[1].lambda[0].value, 0.2);
 }
 
+TEST(Runs, OfASweepHaveAPageEach) {
+  const std::vector<Shot> runs =
+      runs_of(parse(with_base("sweep: {lambda: [0, 1]}\noutput: {html: <shot>_<lambda>.html}\n")));
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].html.path, "shot_0.html");
+  EXPECT_EQ(runs[1].html.path, "shot_1.html");
+}
+
 TEST(Runs, OfOneValueNeedNoPlaceholder) {
   const std::vector<Shot> runs = runs_of(parse(with_base("sweep: {lambda: [0.3]}\noutput: a.glb\n")));
   ASSERT_EQ(runs.size(), 1u);

@@ -270,6 +270,15 @@ TEST(Output, Forms) {
   EXPECT_EQ(GltfOutput().max_targets, 200);
 }
 
+TEST(Values, OfAnHtmlOutput) {
+  EXPECT_EQ(parse(with_base("output: a.glb\n")).html.path, "");
+  const Shot shot = parse(with_base("output: {html: a.html}\n"));
+  EXPECT_EQ(shot.html.path, "a.html");
+  EXPECT_EQ(shot.html.where.column, 16);
+  EXPECT_EQ(shot.gltf.path, "");
+  EXPECT_EQ(parse(with_base("output: {gltf: a.glb, html: {path: b.html}}\n")).html.path, "b.html");
+}
+
 GltfOutput gltf_of(const std::string& keys) {
   return parse(with_base("output: {gltf: {path: a.glb" + keys + "}}\n")).gltf;
 }

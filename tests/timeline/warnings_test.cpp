@@ -43,8 +43,8 @@ TEST(Warnings, OfMeshAndLambda) {
 }
 
 TEST(Warnings, OfOutputs) {
-  EXPECT_THAT(warnings_of(with_base("output: {gltf: a.glb, preview: 1, html: x, report: r}\n")),
-              ElementsAre(ignored("4:23", "preview"), ignored("4:35", "html"), ignored("4:44", "report")));
+  EXPECT_THAT(warnings_of(with_base("output: {gltf: a.glb, preview: 1, html: x.html, report: r}\n")),
+              ElementsAre(ignored("4:23", "preview"), ignored("4:49", "report")));
   EXPECT_THAT(warnings_of(with_base(
                   "output: {gltf: {path: a.glb, basis: pca, profile: web, encoding: float, split: auto}}\n")),
               ElementsAre(ignored("4:73", "split")));
