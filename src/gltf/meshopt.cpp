@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "flexkey/gltf/float_grid.h"
@@ -40,16 +41,40 @@ std::size_t components(const std::string& type) {
   return found == counts.end() ? 0 : found->second;
 }
 
+/// Views of indices that make no lists of triangles: the codec for those would turn a strip's corners about.
+std::set<std::size_t> strips_of(const json& asset) {
+  constexpr int triangles = 4;
+  std::set<std::size_t> views;
+  for (const json& mesh : asset.value("meshes", json::array()))
+    for (const json& primitive : mesh.value("primitives", json::array())) {
+      if (primitive.value("mode", triangles) == triangles || !primitive.contains("indices")) continue;
+      const json& indices = asset["accessors"][primitive["indices"].get<std::size_t>()];
+      if (indices.contains("bufferView")) views.insert(indices["bufferView"].get<std::size_t>());
+    }
+  return views;
+}
+
+/// Views of which some accessor reads other numbers than floats, such as joints beside positions.
+std::set<std::size_t> integer_views_of(const json& asset) {
+  std::set<std::size_t> views;
+  for (const json& accessor : asset.value("accessors", json::array()))
+    if (accessor.contains("bufferView") && accessor["componentType"] != kFloat)
+      views.insert(accessor["bufferView"].get<std::size_t>());
+  return views;
+}
+
 /// The stream of each buffer view that one accessor fills from its start to its end.
 std::map<std::size_t, Stream> streams_of(const json& asset) {
+  const std::set<std::size_t> strips = strips_of(asset), integers = integer_views_of(asset);
   std::map<std::size_t, Stream> streams;
   for (const json& accessor : asset.value("accessors", json::array())) {
     if (!accessor.contains("bufferView") || accessor.contains("sparse")) continue;
     const std::size_t index = accessor["bufferView"];
+    if (strips.contains(index)) continue;
     const json& view = asset["bufferViews"][index];
     const std::size_t element = component_bytes(accessor["componentType"]) * components(accessor["type"]);
     const Stream stream{accessor["count"], view.value("byteStride", element),
-                        view.value("target", 0) == kTriangleTarget, accessor["componentType"] == kFloat};
+                        view.value("target", 0) == kTriangleTarget, !integers.contains(index)};
     if (stream.count * stream.stride == view["byteLength"]) streams[index] = stream;
   }
   return streams;

@@ -1,5 +1,6 @@
 #include "flexkey/gltf/source_glb.h"
 
+#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include <Eigen/LU>
@@ -17,6 +18,7 @@
 #include "flexkey/gltf/read_accessor.h"
 #include "flexkey/gltf/reduction.h"
 #include "flexkey/gltf/source_addition.h"
+#include "flexkey/mesh/error.h"
 
 namespace flexkey {
 namespace {
@@ -140,6 +142,25 @@ int vertex_count(const GltfSource& source) {
   return count;
 }
 
+/// The most targets that a solved mesh has already.
+int own_targets(const GltfSource& source) {
+  const GltfScene scene = parse_gltf_scene(source.document.json);
+  std::size_t most = 0;
+  for (const SolvedNode& node : source.nodes)
+    most = std::max(most, scene.meshes[static_cast<std::size_t>(node.mesh)].primitives[0].targets.size());
+  return static_cast<int>(most);
+}
+
+/// The options with the file's own targets taken off those that are allowed.
+GltfOptions beside(int own, GltfOptions options) {
+  if (own >= options.max_targets)
+    throw InputError(
+        fmt::format("the file has {} morph targets already, and at most {} are allowed (max_targets)", own,
+                    options.max_targets));
+  options.max_targets -= own;
+  return options;
+}
+
 }  // namespace
 
 Built build_into_source(const Clip& clip, const GltfOptions& options, double strictness, Steps& steps) {
@@ -147,7 +168,9 @@ Built build_into_source(const Clip& clip, const GltfOptions& options, double str
   const FollowingNormals normals(clip.mesh, source);
   const NormalsAt normals_at = [&](const Positions& positions) { return normals.at(positions); };
   const bool has_normals = options.normals && !source.normals.isZero(0);
-  Reduction reduction = reduce(clip, {has_normals ? normals_at : NormalsAt(), strictness}, options, steps);
+  const int own = own_targets(source);
+  Reduction reduction =
+      reduce(clip, {has_normals ? normals_at : NormalsAt(), strictness}, beside(own, options), steps);
   to_node_space(source, reduction.targets.positions);
 
   Basis& basis = reduction.basis;
@@ -166,7 +189,7 @@ Built build_into_source(const Clip& clip, const GltfOptions& options, double str
   Addition addition = add_targets(model, source, targets);
 
   Built built;
-  built.targets = static_cast<int>(basis.names.size());
+  built.targets = own + static_cast<int>(basis.names.size());
   built.keys = static_cast<int>(basis.keys.size());
   built.vertices = vertex_count(source);
   built.extensions = model.extensionsRequired;

@@ -186,6 +186,55 @@ TEST(Graft, TheWebProfileIsReadBackAsItWas) {
   EXPECT_EQ(again.file.mesh.corners, grafted.file.file.mesh.corners);
 }
 
+TEST(Graft, TheWebProfileKeepsStripsAndInterleavedData) {
+  GltfBuilder file;
+  // Positions and, in the same rows, four bytes that are no float.
+  std::vector<float> rows;
+  for (const Vec3& p :
+       {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 1), Vec3(1, 1, 1), Vec3(0, 2, 2), Vec3(1, 2, 2)}) {
+    for (int i = 0; i < 3; ++i) rows.push_back(static_cast<float>(p[i]));
+    rows.push_back(-0.0F);
+  }
+  const int view = file.add_view(rows, {{"byteStride", 16}, {"target", 34962}});
+  const int positions =
+      file.add("accessors", {{"bufferView", view}, {"componentType", 5126}, {"count", 6}, {"type", "VEC3"}});
+  const int colors = file.add("accessors", {{"bufferView", view},
+                                            {"byteOffset", 12},
+                                            {"componentType", 5121},
+                                            {"normalized", true},
+                                            {"count", 6},
+                                            {"type", "VEC4"}});
+  const int strip = file.add_accessor(std::vector<std::uint16_t>{0, 1, 2, 3, 4, 5}, 1);
+  file.root["bufferViews"].back()["target"] = 34963;
+  file.add("meshes", {{"primitives",
+                       {{{"attributes", {{"POSITION", positions}, {"COLOR_0", colors}}},
+                         {"indices", strip},
+                         {"mode", 5}}}}});
+  file.add("nodes", {{"mesh", 0}});
+  const TemporaryFolder folder;
+  const Grafted grafted = graft_into(file, {.encoding = Encoding::meshopt});
+  std::ofstream(folder / "web.glb", std::ios::binary) << grafted.glb;
+  const GltfFile again = read_gltf(folder / "web.glb");
+  EXPECT_EQ(again.file.mesh.corners, grafted.file.file.mesh.corners);
+  const std::vector<unsigned char>& bytes = again.source.document.bytes;
+  const json unpacked = json::parse(again.source.document.json);
+  const std::size_t offset = unpacked["bufferViews"][static_cast<std::size_t>(view)]["byteOffset"];
+  EXPECT_EQ(std::memcmp(bytes.data() + offset, rows.data(), 4 * rows.size()), 0);
+}
+
+TEST(Graft, TheFilesOwnTargetsCountAmongThoseThatAreAllowed) {
+  const TemporaryFolder folder;
+  const GltfFile file = read_gltf(tube_with_targets().save(folder / "in.glb"));
+  GltfOptions options;
+  options.basis = BasisKind::frames;
+  options.source = &file.source;
+  const Clip clip = clip_of(file.file.mesh, 4, lean);
+  options.max_targets = 6;
+  EXPECT_EQ(write_glb(clip, options, folder / "out.glb").targets, 6);
+  for (options.max_targets = 1; options.max_targets < 6; ++options.max_targets)
+    EXPECT_THROW(write_glb(clip, options, folder / "out.glb"), InputError) << options.max_targets;
+}
+
 TEST(Graft, EveryClipIsAnAnimation) {
   const Grafted grafted =
       graft_into(tube_file(), {.clips = {{"first", 0, 1.0 / 24}, {"rest", 1.0 / 24, 3.0 / 24}}});
