@@ -51,6 +51,7 @@ Verbosity verbosity_of(const ShotOptions& options) {
 
 struct Solved {
   RunCaches caches;
+  std::vector<HandleTrack> handles = {};  // where the GLB has them
   Clip clip = {};
   RunReport report = {};
 };
@@ -62,9 +63,14 @@ std::vector<Solved> solve(const LoadedShot& loaded, const ShotOptions& options, 
   for (const Shot& run : runs) {
     RunCaches caches(loaded, options, run);
     solved.push_back({std::move(caches)});
+    if (run.gltf.handles) solved.back().handles = handle_tracks(scene);
   }
   AnimateHooks hooks;
-  hooks.on_wanted = [&](std::size_t run, const SolvedFrame& frame) { solved[run].caches.add(frame); };
+  hooks.on_wanted = [&](std::size_t run, const SolvedFrame& frame) {
+    solved[run].caches.add(frame);
+    for (std::size_t h = 0; h < solved[run].handles.size(); ++h)
+      solved[run].handles[h].matrices.push_back(frame.handles[h]);
+  };
   hooks.keep = needs_clip(loaded.shot) ? Keep::frames : Keep::nothing;
   hooks.on_frame = [&](std::size_t run, const FrameReport& frame) {
     solved[run].report.frames.push_back(frame);
@@ -96,6 +102,7 @@ void write_clip(Solved& solved, const SolvedRun& run, const LoadedShot& loaded, 
   const int frames = static_cast<int>(solved.clip.frames.size());
   Progress progress(frames, verbosity_of(options), "Writing");
   GltfOptions gltf = gltf_options(run.shot, loaded);
+  gltf.handles = std::move(solved.handles);
   gltf.on_progress = [&](double share) { progress.reach(static_cast<int>(share * frames)); };
   if (!run.shot.gltf.path.empty()) {
     const Stopwatch watch;

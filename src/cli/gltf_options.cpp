@@ -35,4 +35,10 @@ GltfOptions gltf_options(const Shot& run, const LoadedShot& loaded) {
   return options;
 }
 
+std::vector<HandleTrack> handle_tracks(const Scene& scene) {
+  std::vector<HandleTrack> tracks;
+  for (const SceneHandle& handle : scene.handles) tracks.push_back({handle.handle.name, handle.pivot, {}});
+  return tracks;
+}
+
 }  // namespace flexkey::cli

@@ -8,4 +8,7 @@ namespace flexkey::cli {
 /// What the shot asks of its GLB, in the writer's terms.
 GltfOptions gltf_options(const Shot& run, const LoadedShot& loaded);
 
+/// The scene's handles, with no frames yet.
+std::vector<HandleTrack> handle_tracks(const Scene& scene);
+
 }  // namespace flexkey::cli

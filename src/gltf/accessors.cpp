@@ -37,7 +37,8 @@ int add_accessor(tinygltf::Model& model, tinygltf::Accessor accessor) {
 }
 
 int type_of_columns(Eigen::Index columns) {
-  return columns == 1 ? TINYGLTF_TYPE_SCALAR : columns == 2 ? TINYGLTF_TYPE_VEC2 : TINYGLTF_TYPE_VEC3;
+  constexpr int types[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4};
+  return types[columns - 1];
 }
 
 std::span<const std::byte> bytes_of(const FloatRows& rows) {
@@ -178,6 +179,10 @@ int append_normalized(tinygltf::Model& model, const ShortRows& rows, int largest
 
 int append_times(tinygltf::Model& model, const FloatRows& times) {
   return append_dense(model, times, kNoTarget);
+}
+
+int append_values(tinygltf::Model& model, const FloatRows& values) {
+  return append_dense(model, values, kNoTarget);
 }
 
 int append_samples(tinygltf::Model& model, const SparseRows& rows) {

@@ -32,6 +32,9 @@ int append_times(tinygltf::Model& model, const FloatRows& times);
 /// Values of an animation: sparse over zeros where that takes fewer bytes, else every row.
 int append_samples(tinygltf::Model& model, const SparseRows& rows);
 
+/// The same, every row written: #keys x 3 or, of quaternions, x 4.
+int append_values(tinygltf::Model& model, const FloatRows& values);
+
 /// Triangle corners, 16 bits wide where they fit; 65535 is left free, since it restarts primitives.
 int append_triangles(tinygltf::Model& model, std::span<const std::uint32_t> corners);
 

@@ -15,6 +15,7 @@ struct Built {
   int targets = 0;                      // new ones
   int keys = 0;                         // times at which weights are given
   int vertices = 0;                     // of all primitives that they move
+  std::vector<int> animations;          // of the file, that of each track
   std::vector<std::string> extensions;  // required
   std::vector<std::string> warnings;
 };

@@ -6,7 +6,8 @@
 
 namespace flexkey {
 
-/// What a float accessor holds: #rows x 1 (SCALAR), 2 (VEC2) or 3 (VEC3), rows side by side in memory.
+/// What a float accessor holds: #rows x 1 (SCALAR), 2 (VEC2), 3 (VEC3) or 4 (VEC4), rows side by side in
+/// memory.
 using FloatRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Rows of integers, side by side in memory.

@@ -45,6 +45,7 @@ class Grafting {
   void extend_primitive(json& primitive, const PrimitiveAddition& addition) const;
   json renumbered(const GltfAttributes& attributes) const;
   void name_targets(json& mesh, std::size_t own) const;
+  void append_node(const NewNode& node);
   void change(const ChannelChange& change);
   void animate(const AnimationAddition& addition);
   void describe(json& thing);
@@ -61,6 +62,7 @@ Glb Grafting::graft() {
   append_extensions("extensionsUsed");
   append_extensions("extensionsRequired");
   for (const NodeAddition& node : addition_.nodes) extend(node);
+  for (const NewNode& node : addition_.new_nodes) append_node(node);
   for (const ChannelChange& changed : addition_.changed) change(changed);
   for (const AnimationAddition& animation : addition_.animations) animate(animation);
   result_.json = root_.dump();
@@ -183,6 +185,15 @@ void Grafting::name_targets(json& mesh, std::size_t own) const {
   }
 }
 
+void Grafting::append_node(const NewNode& node) {
+  json& nodes = items_of(root_, "nodes");
+  const Vec3& t = node.translation;
+  nodes.push_back({{"name", node.name}, {"translation", {t.x(), t.y(), t.z()}}});
+  json& scenes = items_of(root_, "scenes");
+  if (scenes.empty()) return;  // all nodes are shown
+  items_of(scenes[root_.value("scene", std::size_t{0})], "nodes").push_back(nodes.size() - 1);
+}
+
 /// The channel gets a sampler of its own, since others may share the one that it had.
 void Grafting::change(const ChannelChange& change) {
   json& animation = root_["animations"][index(change.animation)];
@@ -215,7 +226,7 @@ void Grafting::animate(const AnimationAddition& addition) {
                         {"output", channel.output + first_accessor_},
                         {"interpolation", "LINEAR"}});
     channels.push_back(
-        {{"sampler", samplers.size() - 1}, {"target", {{"node", channel.node}, {"path", "weights"}}}});
+        {{"sampler", samplers.size() - 1}, {"target", {{"node", channel.node}, {"path", channel.path}}}});
   }
   describe(animation);
 }

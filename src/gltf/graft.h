@@ -28,10 +28,17 @@ struct ChannelChange {
   std::string interpolation;       // of the new values; empty: as it was
 };
 
-/// A weights channel that is new.
+/// A channel that is new.
 struct NewChannel {
-  int node = 0;               // of the file
+  int node = 0;               // of the file; those that are new count on from its last
   int input = 0, output = 0;  // accessors of the addition; LINEAR
+  std::string path = "weights";
+};
+
+/// A node that is new, beside the roots of the default scene.
+struct NewNode {
+  std::string name;
+  Vec3 translation;
 };
 
 /// An animation of the new targets.
@@ -46,7 +53,8 @@ struct Addition {
   Glb glb;  // its buffers, views, accessors and extensions are appended to the file's; what the extras of its
             // mesh 0 say is said of the meshes and animations that it adds to
   std::vector<NodeAddition> nodes;  // the solved ones
-  std::vector<std::string> names;   // of the new targets
+  std::vector<NewNode> new_nodes;
+  std::vector<std::string> names;  // of the new targets
   std::vector<ChannelChange> changed;
   std::vector<AnimationAddition> animations;
 };

@@ -202,6 +202,9 @@ Built build_into_source(const Clip& clip, const GltfOptions& options, double str
   describe(model, clip, basis, options, built.error);
   addition.glb = glb_of(std::move(model));
   built.glb = graft(source.document, addition);
+  int next = static_cast<int>(source.animations.size());
+  for (const AnimationAddition& animation : addition.animations)
+    built.animations.push_back(animation.into < 0 ? next++ : animation.into);
   return built;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -11,6 +12,8 @@
 #include "flexkey/gltf/check_clip.h"
 #include "flexkey/gltf/extras.h"
 #include "flexkey/gltf/glb.h"
+#include "flexkey/gltf/graft.h"
+#include "flexkey/gltf/handle_nodes.h"
 #include "flexkey/gltf/materials.h"
 #include "flexkey/gltf/measure.h"
 #include "flexkey/gltf/meshopt.h"
@@ -56,8 +59,11 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness, S
     append_morph_mesh(model, asset, std::move(reduction.targets));
   }
   append_scene(model, clip);
-  for (const WeightTrack& track : tracks_of(clip, basis, options)) append_weights_animation(model, track);
   Built built;
+  for (const WeightTrack& track : tracks_of(clip, basis, options)) {
+    built.animations.push_back(static_cast<int>(model.animations.size()));
+    append_weights_animation(model, track);
+  }
   built.targets = static_cast<int>(basis.names.size());
   built.keys = static_cast<int>(basis.keys.size());
   for (const Primitive& primitive : asset.primitives)
@@ -82,6 +88,21 @@ Built build_within_tolerance(const Clip& clip, const GltfOptions& options) {
     const bool is_met = options.basis == BasisKind::frames || built.error.largest <= options.tolerance;
     if (is_met || strictness <= least_strictness) return built;
   }
+}
+
+/// The part of the shot that each animation plays.
+std::vector<PlayedRange> ranges_of(const Clip& clip, const GltfOptions& options, const Built& built) {
+  const double first = clip.reports.front().frame / clip.fps, last = clip.reports.back().frame / clip.fps;
+  std::vector<PlayedRange> ranges;
+  for (std::size_t a = 0; a < built.animations.size(); ++a) {
+    PlayedRange range{built.animations[a], first, last};
+    if (!options.clips.empty()) {
+      range.from = std::max(options.clips[a].from, first);
+      range.to = std::min(options.clips[a].to, last);
+    }
+    ranges.push_back(range);
+  }
+  return ranges;
 }
 
 GltfReport report_on(const Built& built, const GltfOptions& options) {
@@ -126,6 +147,9 @@ struct Finished {
 Finished finish(const Clip& clip, const GltfOptions& options) {
   check_clip(clip);
   Built built = build_within_tolerance(clip, options);
+  if (!options.handles.empty())
+    built.glb =
+        graft(built.glb, add_handles(built.glb, clip, options.handles, ranges_of(clip, options, built)));
   GltfReport report = report_on(built, options);
   warn(options, report);
   Glb glb = options.encoding == Encoding::meshopt ? meshopt_compressed(built.glb) : std::move(built.glb);

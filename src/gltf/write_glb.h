@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -32,6 +33,13 @@ struct ClipRange {
   double to = 0;
 };
 
+/// How a handle of the shot moved.
+struct HandleTrack {
+  std::string name;
+  Vec3 pivot;                             // at rest, file units
+  std::vector<Eigen::Matrix4d> matrices;  // #frames, rest to frame
+};
+
 struct GltfOptions {
   BasisKind basis = BasisKind::knots;
   Encoding encoding = Encoding::floats;
@@ -42,7 +50,8 @@ struct GltfOptions {
   std::string animation;               // name of that one; empty: the clip's
   const GltfSource* source = nullptr;  // the file that the clip's mesh is of: the clip is written into it
   std::string merge_into;  // with a source, an animation of it that gets the weights; empty: a new one
-  std::string hash;        // of timeline and mesh, for extras
+  std::vector<HandleTrack> handles;  // to be written as animated nodes; empty: none
+  std::string hash;                  // of timeline and mesh, for extras
   std::filesystem::path
       texture_folder;     // where relative texture paths of materials start: the mesh file's folder
   int max_targets = 200;  // more are an error; WebGL2 guarantees 256

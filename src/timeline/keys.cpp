@@ -163,7 +163,7 @@ constexpr KeySpec gltf[] = {
     {"normals", "smooth (default) or none"},
     {"max_targets", "most morph targets, 1 to 65535; default 200"},
     {"animation", "name of the animation, or a mapping that says where it goes"},
-    {"handles", "whether handles are written as nodes", Built::ignored},
+    {"handles", "whether handles are written as animated nodes: true or false (default)"},
     {"split", "whether moving faces become a mesh of their own", Built::ignored},
 };
 

@@ -122,6 +122,9 @@ GltfOutput read_gltf_output(const Node& node, std::string_view place, Scope& sco
     output.normals =
         read_word<bool>(*normals, "normals", {{"smooth", true}, {"none", false}}, scope).value_or(true);
   }
+  if (const Node* handles = fields->value("handles")) {
+    output.handles = read_switch(*handles, scope).value_or(output.handles);
+  }
   if (const Node* animation = fields->value("animation")) read_animation(*animation, output, scope);
   return output;
 }

@@ -92,6 +92,7 @@ struct GltfOutput {
   double tolerance = 1e-3;     // of what plays, a share of the diagonal; frames need none
   bool normals = true;         // `normals: smooth`
   int max_targets = 200;       // more are refused
+  bool handles = false;        // written as animated nodes
   std::string animation = {};  // its name; empty: the shot's
   struct Merge {
     std::string name;  // of a clip of the mesh's file that gets the weights instead; empty: none

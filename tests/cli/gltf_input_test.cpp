@@ -141,5 +141,22 @@ TEST_F(GltfInput, AnAnimationToMergeIntoHasToBeThere) {
             "--set output: error: 'merge_into' takes one animation, and 'clips' makes several\n");
 }
 
+TEST_F(GltfInput, HandlesAreWrittenAsNodesOnRequest) {
+  const ProgramResult result =
+      run({"animate", "shot.yaml", "--set", "output={gltf: {path: out.glb, handles: true}}"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const json root = json_of(read_file(folder() / "out.glb"));
+  ASSERT_EQ(root["nodes"].size(), 3u);
+  EXPECT_EQ(root["nodes"][2]["name"], "tip");
+  EXPECT_NEAR(root["nodes"][2]["translation"][2].get<double>(), 6, 1e-6);
+  ASSERT_EQ(root["animations"][0]["channels"].size(), 2u);
+  const json channel = root["animations"][0]["channels"][1];
+  EXPECT_EQ(channel["target"], (json{{"node", 2}, {"path", "translation"}}));
+  const json sampler = root["animations"][0]["samplers"][channel["sampler"].get<std::size_t>()];
+  const json output = root["accessors"][sampler["output"].get<std::size_t>()];
+  EXPECT_EQ(output["count"], 13);
+  EXPECT_NEAR(output["max"][0].get<double>(), 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace flexkey

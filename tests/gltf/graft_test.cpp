@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "flexkey/gltf/following_normals.h"
+#include "flexkey/gltf/gltf_scene.h"
+#include "flexkey/gltf/read_accessor.h"
 #include "flexkey/gltf/read_gltf.h"
 #include "flexkey/gltf/write_glb.h"
 #include "flexkey/mesh/read_file.h"
@@ -184,6 +186,31 @@ TEST(Graft, TheWebProfileIsReadBackAsItWas) {
   const GltfFile again = read_gltf(folder / "web.glb");
   EXPECT_EQ(again.file.mesh.positions, grafted.file.file.mesh.positions);
   EXPECT_EQ(again.file.mesh.corners, grafted.file.file.mesh.corners);
+}
+
+TEST(Graft, NoProfileOpensTheSeam) {
+  const TemporaryFolder folder;
+  const GltfFile file = read_gltf(tube_file().save(folder / "in.glb"));
+  for (const BasisKind basis : {BasisKind::knots, BasisKind::pca})
+    for (const Encoding encoding : {Encoding::floats, Encoding::meshopt}) {
+      GltfOptions options;
+      options.basis = basis;
+      options.encoding = encoding;
+      options.source = &file.source;
+      const GltfReport report = write_glb(clip_of(file.file.mesh, 12, twist), options, folder / "out.glb");
+      EXPECT_LE(report.error, 1e-3);
+      const GltfFile again = read_gltf(folder / "out.glb");
+      const GltfScene scene = parse_gltf_scene(again.source.document.json);
+      const AccessorReader reader(scene, again.source.document.bytes);
+      const std::vector<GltfAttributes>& targets = scene.meshes[0].primitives[0].targets;
+      ASSERT_GT(targets.size(), 0u);
+      for (const GltfAttributes& target : targets)
+        for (const auto& [semantic, accessor] : target) {
+          const AccessorRows rows = reader.rows(accessor, 3);
+          for (int ring = 0; ring <= 6; ++ring)
+            EXPECT_EQ(rows.row(9 * ring), rows.row(9 * ring + 8)) << semantic;
+        }
+    }
 }
 
 TEST(Graft, TheWebProfileKeepsStripsAndInterleavedData) {

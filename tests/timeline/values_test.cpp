@@ -307,6 +307,11 @@ TEST(Output, ClipsAreNamedTimes) {
   EXPECT_DOUBLE_EQ(shot.clips[1].time.to, 1.5);
 }
 
+TEST(Output, HandlesAsNodes) {
+  EXPECT_FALSE(parse(with_base("output: {gltf: {path: a.glb}}\n")).gltf.handles);
+  EXPECT_TRUE(parse(with_base("output: {gltf: {path: a.glb, handles: true}}\n")).gltf.handles);
+}
+
 TEST(Output, AnimationForms) {
   const auto gltf = [](const std::string& animation) {
     return parse(with_base("output: {gltf: {path: a.glb, animation: " + animation + "}}\n")).gltf;

@@ -1,0 +1,115 @@
+#include "flexkey/gltf/handle_nodes.h"
+
+#include <tiny_gltf.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "flexkey/gltf/accessors.h"
+#include "flexkey/gltf/gltf_scene.h"
+#include "flexkey/gltf/utf8.h"
+
+namespace flexkey {
+namespace {
+
+/// A handle's node over some frames, #frames rows each.
+struct NodeMotion {
+  Vec3 pivot;              // where it rests
+  FloatRows translations;  // x 3
+  FloatRows rotations;     // x 4, unit quaternions x y z w
+  FloatRows scales;        // x 3
+};
+
+/// Rotation times scale along the axes that it turns, as a handle moves; a reflection goes into the first
+/// axis.
+void decompose(const Eigen::Matrix3d& linear, Eigen::Quaterniond& rotation, Vec3& scale) {
+  scale = linear.colwise().norm().transpose();
+  if (linear.determinant() < 0) scale.x() = -scale.x();
+  Eigen::Matrix3d axes;
+  for (int i = 0; i < 3; ++i) axes.col(i) = linear.col(i) / scale[i];
+  if (axes.allFinite()) rotation = Eigen::Quaterniond(axes).normalized();  // else as it was before
+}
+
+NodeMotion motion_of(const HandleTrack& handle, const std::vector<std::size_t>& frames) {
+  const auto count = static_cast<Eigen::Index>(frames.size());
+  NodeMotion motion{handle.pivot, FloatRows(count, 3), FloatRows(count, 4), FloatRows(count, 3)};
+  Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Affine3d matrix(handle.matrices[frames[static_cast<std::size_t>(k)]]);
+    Eigen::Quaterniond rotation = before;
+    Vec3 scale;
+    decompose(matrix.linear(), rotation, scale);
+    if (rotation.dot(before) < 0) rotation.coeffs() = -rotation.coeffs();  // the short way round
+    before = rotation;
+    motion.translations.row(k) = (matrix * handle.pivot).cast<float>().transpose();
+    motion.rotations.row(k) = rotation.coeffs().cast<float>().transpose();
+    motion.scales.row(k) = scale.cast<float>().transpose();
+  }
+  return motion;
+}
+
+std::vector<std::size_t> frames_within(const Clip& clip, const PlayedRange& range) {
+  constexpr double rounding = 1e-9;
+  std::vector<std::size_t> frames;
+  for (std::size_t k = 0; k < clip.reports.size(); ++k) {
+    const double time = clip.reports[k].frame / clip.fps;
+    if (time >= range.from - rounding && time <= range.to + rounding) frames.push_back(k);
+  }
+  return frames;
+}
+
+/// Seconds from the range's start, #frames x 1.
+FloatRows times_of(const Clip& clip, const std::vector<std::size_t>& frames, double from) {
+  FloatRows times(static_cast<Eigen::Index>(frames.size()), 1);
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    times(static_cast<Eigen::Index>(k), 0) =
+        static_cast<float>(std::max(clip.reports[frames[k]].frame / clip.fps - from, 0.0));
+  return times;
+}
+
+/// The channels of what is ever away from rest. channel: its node and times.
+std::vector<NewChannel> channels_of(tinygltf::Model& model, const NodeMotion& motion, NewChannel channel) {
+  std::vector<NewChannel> channels;
+  const auto add = [&](const char* path, const FloatRows& rows, const Eigen::RowVectorXf& rest) {
+    if (rows == rest.replicate(rows.rows(), 1)) return;
+    channel.path = path;
+    channel.output = append_values(model, rows);
+    channels.push_back(channel);
+  };
+  add("translation", motion.translations, motion.pivot.cast<float>().transpose());
+  add("rotation", motion.rotations, Eigen::RowVector4f(0, 0, 0, 1));
+  add("scale", motion.scales, Eigen::RowVector3f::Ones());
+  return channels;
+}
+
+}  // namespace
+
+Addition add_handles(const Glb& file, const Clip& clip, const std::vector<HandleTrack>& handles,
+                     const std::vector<PlayedRange>& ranges) {
+  const int first_node = static_cast<int>(parse_gltf_scene(file.json).nodes.size());
+  tinygltf::Model model;
+  model.buffers.emplace_back();
+  Addition addition;
+  for (const HandleTrack& handle : handles)
+    addition.new_nodes.push_back({valid_utf8(handle.name), handle.pivot});
+  for (const PlayedRange& range : ranges) {
+    const std::vector<std::size_t> frames = frames_within(clip, range);
+    if (frames.empty()) continue;
+    AnimationAddition animation{"", range.animation, {}};
+    const int input = append_times(model, times_of(clip, frames, range.from));
+    for (std::size_t h = 0; h < handles.size(); ++h) {
+      NewChannel channel;
+      channel.node = first_node + static_cast<int>(h);
+      channel.input = input;
+      const std::vector<NewChannel> channels = channels_of(model, motion_of(handles[h], frames), channel);
+      animation.channels.insert(animation.channels.end(), channels.begin(), channels.end());
+    }
+    addition.animations.push_back(std::move(animation));
+  }
+  addition.glb = glb_of(std::move(model));
+  return addition;
+}
+
+}  // namespace flexkey
