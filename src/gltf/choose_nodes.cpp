@@ -15,8 +15,10 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
+/// Whether there is something of it to solve.
 bool has_mesh(const GltfScene& scene, int node) {
-  return scene.nodes[index(node)].mesh >= 0;
+  const int mesh = scene.nodes[index(node)].mesh;
+  return mesh >= 0 && !scene.meshes[index(mesh)].primitives.empty();
 }
 
 /// The nodes in question that have a mesh.

@@ -142,7 +142,10 @@ void Grafting::extend(const NodeAddition& addition) {
     extend_primitive(mesh["primitives"][p], addition.primitives[p]);
 
   const std::size_t all = own + addition_.names.size();
-  const auto extend_weights = [&](json& weights) { weights.get_ref<json::array_t&>().resize(all, 0.0); };
+  const auto extend_weights = [&](json& weights) {
+    weights.get_ref<json::array_t&>().resize(own, 0.0);  // a file may have more weights than targets
+    weights.get_ref<json::array_t&>().resize(all, 0.0);
+  };
   extend_weights(items_of(mesh, "weights"));
   json& node = root_["nodes"][index(addition.node)];
   if (node.contains("weights")) extend_weights(node["weights"]);
@@ -166,7 +169,7 @@ void Grafting::extend_primitive(json& primitive, const PrimitiveAddition& additi
   }
   for (json& target : targets)
     for (const auto& [semantic, accessor] : addition.targets.front())
-      if (!target.contains(semantic)) target[semantic] = addition.zeros + first_accessor_;
+      if (!target.contains(semantic)) target[semantic] = addition.zeros.at(semantic) + first_accessor_;
   for (const GltfAttributes& target : addition.targets) targets.push_back(renumbered(target));
 }
 

@@ -11,7 +11,7 @@ namespace flexkey {
 /// What one primitive of a solved node gets. Accessors are those of the addition.
 struct PrimitiveAddition {
   std::vector<GltfAttributes> targets;  // #new targets, all of the same attributes
-  int zeros = -1;                       // for each of those attributes that a target of the file lacks
+  GltfAttributes zeros;                 // for those of the attributes that some target lacks
   bool drop_normals = false;            // its normals would stay at rest: clients shade flat without them
 };
 

@@ -40,7 +40,7 @@ Eigen::RowVectorXf sample(const SamplerTrack& track, float time) {
   const Eigen::Index key = key_before(track.times, time), last = track.times.rows() - 1;
   if (key == last || time <= track.times(0, 0) || track.interpolation == "STEP") return value(key);
   const float duration = track.times(key + 1, 0) - track.times(key, 0);
-  const float t = (time - track.times(key, 0)) / duration;
+  const float t = duration > 0 ? (time - track.times(key, 0)) / duration : 0;
   if (is_cubic) return cubic(track, key, t, duration);
   return (1 - t) * value(key) + t * value(key + 1);
 }

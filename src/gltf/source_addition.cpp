@@ -66,11 +66,11 @@ class Adding {
  private:
   const GltfPrimitive& primitive_of(const SolvedNode& node, std::size_t primitive) const;
   std::set<std::string> attributes_of(const SolvedNode& node, std::size_t primitive) const;
-  bool needs_zeros(const SolvedNode& node, std::size_t primitive) const;
+  GltfAttributes zeros_for(const SolvedNode& node, std::size_t primitive);
   PrimitiveAddition add_to(const SolvedNode& node, std::size_t primitive);
 
   int animation_named(const std::string& name) const;
-  bool is_solved(int node) const;
+  const SolvedNode* solved(int node) const;
   SamplerTrack track_of(const GltfSampler& sampler) const;
   void change_channels();
   void change_channel(int animation, const GltfWeightsChannel& channel);
@@ -121,25 +121,30 @@ std::set<std::string> Adding::attributes_of(const SolvedNode& node, std::size_t 
   return attributes;
 }
 
-/// Whether some target of a primitive, new or the file's, carries an attribute only because another does.
-bool Adding::needs_zeros(const SolvedNode& node, std::size_t primitive) const {
-  const std::set<std::string> attributes = attributes_of(node, primitive);
-  std::set<std::string> moving{"POSITION"};
-  if (node.primitives[primitive].has_normals) moving.insert("NORMAL");
-  const std::vector<GltfAttributes>& own = primitive_of(node, primitive).targets;
-  return !std::includes(moving.begin(), moving.end(), attributes.begin(), attributes.end()) ||
-         std::any_of(own.begin(), own.end(), [&](const GltfAttributes& target) {
-           return std::any_of(attributes.begin(), attributes.end(),
-                              [&](const std::string& semantic) { return !target.contains(semantic); });
-         });
+/// Zeros for the attributes that some target of a primitive, new or the file's, carries only because another
+/// does.
+GltfAttributes Adding::zeros_for(const SolvedNode& node, std::size_t primitive) {
+  const SolvedPrimitive& solved = node.primitives[primitive];
+  GltfAttributes zeros;
+  for (const std::string& semantic : attributes_of(node, primitive)) {
+    bool is_missing = semantic != "POSITION" && !(semantic == "NORMAL" && solved.has_normals);
+    int columns = 3;
+    for (const GltfAttributes& own : primitive_of(node, primitive).targets) {
+      const auto found = own.find(semantic);
+      is_missing = is_missing || found == own.end();
+      if (found != own.end()) columns = std::max(scene_.accessors[index(found->second)].columns, 1);
+    }
+    if (is_missing)
+      zeros[semantic] = append_deltas(model_, nonzero_rows(FloatRows::Zero(solved.vertex_count, columns)));
+  }
+  return zeros;
 }
 
 PrimitiveAddition Adding::add_to(const SolvedNode& node, std::size_t p) {
   const SolvedPrimitive& solved = node.primitives[p];
   PrimitiveAddition addition;
   addition.drop_normals = !targets_.normals;
-  if (needs_zeros(node, p))
-    addition.zeros = append_deltas(model_, nonzero_rows(FloatRows::Zero(solved.vertex_count, 3)));
+  addition.zeros = zeros_for(node, p);
   const std::set<std::string> attributes = attributes_of(node, p);
   for (std::size_t t = 0; t < targets_.names.size(); ++t) {
     const TargetAppender appender{model_, solved, t};
@@ -148,7 +153,8 @@ PrimitiveAddition Adding::add_to(const SolvedNode& node, std::size_t p) {
       target[semantic] = std::visit(
           [&](const auto& targets) {
             if (semantic == "POSITION") return appender.positions(targets);
-            return semantic == "NORMAL" && solved.has_normals ? appender.normals(targets) : addition.zeros;
+            return semantic == "NORMAL" && solved.has_normals ? appender.normals(targets)
+                                                              : addition.zeros.at(semantic);
           },
           targets_.targets);
     }
@@ -164,9 +170,11 @@ int Adding::animation_named(const std::string& name) const {
   return static_cast<int>(found - known.begin());
 }
 
-bool Adding::is_solved(int node) const {
-  return std::any_of(source_.nodes.begin(), source_.nodes.end(),
-                     [&](const SolvedNode& solved) { return solved.node == node; });
+/// Null for a node that is not solved.
+const SolvedNode* Adding::solved(int node) const {
+  const auto found = std::find_if(source_.nodes.begin(), source_.nodes.end(),
+                                  [&](const SolvedNode& candidate) { return candidate.node == node; });
+  return found == source_.nodes.end() ? nullptr : &*found;
 }
 
 /// Weights row after row, as a sampler's output has them.
@@ -190,11 +198,16 @@ SamplerTrack Adding::track_of(const GltfSampler& sampler) const {
 void Adding::change_channels() {
   for (std::size_t a = 0; a < scene_.animations.size(); ++a)
     for (const GltfWeightsChannel& channel : scene_.animations[a].weights)
-      if (is_solved(channel.node)) change_channel(static_cast<int>(a), channel);
+      if (solved(channel.node) != nullptr) change_channel(static_cast<int>(a), channel);
 }
 
 void Adding::change_channel(int animation, const GltfWeightsChannel& channel) {
-  const SamplerTrack own = track_of(scene_.animations[index(animation)].samplers[index(channel.sampler)]);
+  const GltfSampler& sampler = scene_.animations[index(animation)].samplers[index(channel.sampler)];
+  const SamplerTrack own = track_of(sampler);
+  const std::size_t targets = primitive_of(*solved(channel.node), 0).targets.size();
+  if (static_cast<std::size_t>(own.values.cols()) != targets)
+    throw InputError(fmt::format("accessor {} has {} weights a key, and its mesh has {} morph targets",
+                                 sampler.output, own.values.cols(), targets));
   ChannelChange change{animation, channel.channel, -1, 0, ""};
   if (animation == merged_) {
     const SamplerTrack both = side_by_side(own, sampler_track(targets_.tracks.front()));

@@ -357,6 +357,35 @@ TEST(Graft, TargetsOfTheFileStayFirst) {
   EXPECT_LT(playback_error(grafted), 1e-6);
 }
 
+TEST(Graft, TargetsOfOtherAttributesGetZerosOfTheirKind) {
+  GltfBuilder file = tube_with_targets();
+  json& targets = file.root["meshes"][0]["primitives"][0]["targets"];
+  targets[0]["TEXCOORD_0"] = file.root["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"];
+  const Grafted grafted = graft_into(file);
+  for (const json& target : grafted.root["meshes"][0]["primitives"][0]["targets"]) {
+    ASSERT_TRUE(target.contains("TEXCOORD_0"));
+    EXPECT_EQ(grafted.root["accessors"][target["TEXCOORD_0"].get<std::size_t>()]["type"], "VEC2");
+  }
+}
+
+TEST(Graft, WeightsThatDoNotFitTheTargetsAreAnError) {
+  GltfBuilder file = tube_with_targets();
+  const json sampler = file.root["animations"][0]["samplers"][0];
+  file.root["accessors"][sampler["output"].get<std::size_t>()]["count"] = 2;
+  try {
+    graft_into(file);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("has 1 weights a key, and its mesh has 2 morph targets"));
+  }
+}
+
+TEST(Graft, TooManyDefaultWeightsAreCut) {
+  GltfBuilder file = tube_file();
+  file.root["meshes"][0]["weights"] = {0.5, 0.5};
+  EXPECT_EQ(graft_into(file).root["meshes"][0]["weights"], json::array({0, 0, 0, 0}));
+}
+
 TEST(Graft, TheFilesOwnAnimationsPlayAsBefore) {
   const Grafted grafted = graft_into(tube_with_targets());
   ASSERT_EQ(grafted.model.animations.size(), 2u);

@@ -273,6 +273,11 @@ TEST_F(HostileGltf, NodesThatAreNoTrees) {
             "");
 }
 
+TEST_F(HostileGltf, AMeshOfNothing) {
+  EXPECT_EQ(problem_with([](json& root) { root["meshes"][0]["primitives"] = json::array(); }),
+            "no node of its scene shows a mesh");
+}
+
 TEST_F(HostileGltf, Buffers) {
   const auto buffer = [&](const json& value) {
     return problem_with([&](json& root) { root["buffers"] = json::array({value}); });
