@@ -37,6 +37,7 @@ std::vector<int> indices_at(const json& object, const char* key, std::size_t siz
 }
 
 GltfView read_view(const json& item, const std::string& what) {
+  find_count(item, "target", what);  // for its error
   return {find_count(item, "byteOffset", what).value_or(0), require_count(item, "byteLength", what),
           find_count(item, "byteStride", what).value_or(0)};
 }
@@ -226,6 +227,7 @@ GltfScene parse_gltf_scene(const std::string& text) {
     return indices_at(item, "nodes", sizes.nodes, what);
   });
   scene.scene = find_index(root, "scene", scene.scenes.size(), "the file");
+  list_at(root, "extensionsUsed", "the file");  // for its error
   for (const json& name : list_at(root, "extensionsRequired", "the file"))
     if (name.is_string()) scene.required.push_back(name.get<std::string>());
   return scene;

@@ -182,4 +182,22 @@ inline GltfBuilder tube_file() {
   return file;
 }
 
+/// The tube with two targets of its own, of which the second carries normals, an animation of them, and
+/// default weights.
+inline GltfBuilder tube_with_targets() {
+  GltfBuilder file = tube_file();
+  std::vector<Vec3> up(static_cast<std::size_t>(Tube().vertex_count()), Vec3(0, 0, 1));
+  GltfBuilder::json& mesh = file.root["meshes"][0];
+  mesh["primitives"][0]["targets"] = {{{"POSITION", file.add_points(up)}},
+                                      {{"POSITION", file.add_points(up)}, {"NORMAL", file.add_points(up)}}};
+  mesh["weights"] = {0.25, 0.5};
+  mesh["extras"] = {{"targetNames", {"f0001", "smile"}}};
+  const int times = file.add_accessor(std::vector<float>{0, 1}, 1),
+            values = file.add_accessor(std::vector<float>{0, 1, 1, 0}, 1);
+  file.add("animations", {{"name", "Talk"},
+                          {"samplers", {{{"input", times}, {"output", values}}}},
+                          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}});
+  return file;
+}
+
 }  // namespace flexkey::meshes
