@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <ostream>
 
 #include "browser/browser_test.h"
 #include "cli/load.h"
@@ -21,6 +22,10 @@ struct Profile {
   BasisKind basis;
   Encoding encoding;
 };
+
+void PrintTo(const Profile& profile, std::ostream* stream) {
+  *stream << profile.name;
+}
 
 constexpr Profile profiles[] = {
     {"compat", BasisKind::knots, Encoding::floats},           {"web", BasisKind::pca, Encoding::meshopt},
