@@ -20,6 +20,11 @@ Shape coarsened(const Shape& rest, double tolerance, double diagonal) {
 
 }  // namespace
 
+NormalsAt normals_of(const Asset& asset) {
+  if (!asset.normals) return {};
+  return [&normals = *asset.normals](const Positions& positions) { return normals.at(positions); };
+}
+
 Asset asset_of(const Clip& clip, const GltfOptions& options) {
   std::vector<Primitive> primitives = split_primitives(clip.mesh);
   TextureSet textures = read_textures(clip.mesh, primitives, options.texture_folder);

@@ -21,6 +21,9 @@ struct Asset {
   double texcoord_step = 0;  // of which texture coordinates are written as multiples; 0: as they are
 };
 
+/// The asset's normals at some positions of its mesh; empty without. The asset has to outlive it.
+NormalsAt normals_of(const Asset& asset);
+
 /// Splits the clip's mesh and reads its textures. The clip has to outlive what it returns.
 Asset asset_of(const Clip& clip, const GltfOptions& options);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "flexkey/gltf/glb.h"
+#include "flexkey/gltf/handle_nodes.h"
 #include "flexkey/gltf/measure.h"
 
 namespace flexkey {
@@ -15,7 +16,7 @@ struct Built {
   int targets = 0;                      // new ones
   int keys = 0;                         // times at which weights are given
   int vertices = 0;                     // of all primitives that they move
-  std::vector<int> animations;          // of the file, that of each track
+  std::vector<PlayedRange> animations;  // one a track
   std::vector<std::string> extensions;  // required
   std::vector<std::string> warnings;
 };

@@ -140,10 +140,8 @@ Played played_by(const tinygltf::Model& model, const Asset& asset) {
       };
     };
   };
-  Played played{{vertices, player_of("POSITION")}, {}, {}};
-  if (!asset.normals) return played;
-  played.normals = {vertices, player_of("NORMAL")};
-  played.solved_normals = [&asset](const Positions& positions) { return asset.normals->at(positions); };
+  Played played{{vertices, player_of("POSITION")}, {}, normals_of(asset)};
+  if (asset.normals) played.normals = {vertices, player_of("NORMAL")};
   return played;
 }
 

@@ -63,8 +63,7 @@ void require_allowed(const Basis& basis, const GltfOptions& options) {
   if (targets <= static_cast<std::size_t>(options.max_targets)) return;
   throw InputError(
       fmt::format("the clip takes {} morph targets as '{}', and at most {} are allowed (max_targets); most "
-                  "viewers stop at "
-                  "256. A larger tolerance, or the profile 'compat' or 'web', takes fewer",
+                  "viewers stop at 256. A larger tolerance, or the profile 'compat' or 'web', takes fewer",
                   targets, profile_name(options), options.max_targets));
 }
 

@@ -203,8 +203,10 @@ Built build_into_source(const Clip& clip, const GltfOptions& options, double str
   addition.glb = glb_of(std::move(model));
   built.glb = graft(source.document, addition);
   int next = static_cast<int>(source.animations.size());
-  for (const AnimationAddition& animation : addition.animations)
-    built.animations.push_back(animation.into < 0 ? next++ : animation.into);
+  for (std::size_t k = 0; k < targets.tracks.size(); ++k) {
+    const int into = addition.animations[k].into;
+    built.animations.push_back({into < 0 ? next++ : into, targets.tracks[k].from, targets.tracks[k].to});
+  }
   return built;
 }
 

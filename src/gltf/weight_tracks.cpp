@@ -40,8 +40,16 @@ WeightTrack track_of(const Clip& clip, const Basis& basis, double from, double t
   return track;
 }
 
+/// When the clip's first and last frames are, seconds of the shot.
+double first_second(const Clip& clip) {
+  return clip.reports.front().frame / clip.fps;
+}
+double last_second(const Clip& clip) {
+  return clip.reports.back().frame / clip.fps;
+}
+
 WeightTrack track_of(const Clip& clip, const Basis& basis, const ClipRange& range) {
-  const double first = clip.reports.front().frame / clip.fps, last = clip.reports.back().frame / clip.fps;
+  const double first = first_second(clip), last = last_second(clip);
   const double from = std::max(range.from, first), to = std::min(range.to, last);
   if (from > to) {
     throw InputError(
@@ -50,7 +58,13 @@ WeightTrack track_of(const Clip& clip, const Basis& basis, const ClipRange& rang
   }
   WeightTrack track = track_of(clip, basis, from - first, to - first);
   track.name = range.name;
+  track.from = from;
+  track.to = to;
   return track;
+}
+
+WeightTrack whole_track(const Clip& clip, const Basis& basis) {
+  return {clip.name, key_times(clip, basis), basis.weights, first_second(clip), last_second(clip)};
 }
 
 }  // namespace
@@ -59,12 +73,7 @@ std::vector<WeightTrack> weight_tracks(const Clip& clip, const Basis& basis,
                                        const std::vector<ClipRange>& ranges) {
   std::vector<WeightTrack> tracks;
   for (const ClipRange& range : ranges) tracks.push_back(track_of(clip, basis, range));
-  if (ranges.empty()) {
-    WeightTrack& whole = tracks.emplace_back();
-    whole.name = clip.name;
-    whole.times = key_times(clip, basis);
-    whole.weights = basis.weights;
-  }
+  if (ranges.empty()) tracks.push_back(whole_track(clip, basis));
   return tracks;
 }
 

@@ -14,6 +14,7 @@ struct WeightTrack {
   std::string name;           // of the animation
   std::vector<double> times;  // #keys, seconds, strictly increasing from 0
   Eigen::MatrixXf weights;    // #keys x #targets, LINEAR between keys
+  double from = 0, to = 0;    // the part of the shot that it plays, seconds
 };
 
 /// One track a range, each from 0, or one of the whole clip under the clip's name. A range that lies

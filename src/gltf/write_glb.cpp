@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -44,9 +43,7 @@ void append_scene(tinygltf::Model& model, const Clip& clip) {
 
 Built build(const Asset& asset, const GltfOptions& options, double strictness, Steps& steps) {
   const Clip& clip = asset.clip;
-  ReductionPlan plan{{}, strictness};
-  if (asset.normals) plan.normals = [&](const Positions& positions) { return asset.normals->at(positions); };
-  Reduction reduction = reduce(clip, plan, options, steps);
+  Reduction reduction = reduce(clip, {normals_of(asset), strictness}, options, steps);
   Basis& basis = reduction.basis;
   check_glb_size(count_contents(asset, reduction.targets));
 
@@ -61,7 +58,7 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness, S
   append_scene(model, clip);
   Built built;
   for (const WeightTrack& track : tracks_of(clip, basis, options)) {
-    built.animations.push_back(static_cast<int>(model.animations.size()));
+    built.animations.push_back({static_cast<int>(model.animations.size()), track.from, track.to});
     append_weights_animation(model, track);
   }
   built.targets = static_cast<int>(basis.names.size());
@@ -77,32 +74,19 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness, S
 }
 
 /// The integers' largest error is only known once they are there: a budget that proves too large is halved.
+/// Floats, and one target a frame, would only come out the same again.
 Built build_within_tolerance(const Clip& clip, const GltfOptions& options) {
   constexpr double least_strictness = 1.0 / 16;
   const std::optional<Asset> asset = options.source ? std::nullopt : std::optional(asset_of(clip, options));
   const std::size_t passes = options.normals ? 3 : 1;  // over the frames: two fit and measure the normals
   Steps steps(passes * clip.frames.size(), options.on_progress);
+  const bool can_tighten = options.encoding == Encoding::meshopt && options.basis != BasisKind::frames;
   for (double strictness = 1;; strictness /= 2) {
     Built built = asset ? build(*asset, options, strictness, steps)
                         : build_into_source(clip, options, strictness, steps);
-    const bool is_met = options.basis == BasisKind::frames || built.error.largest <= options.tolerance;
-    if (is_met || strictness <= least_strictness) return built;
+    const bool is_met = built.error.largest <= options.tolerance;
+    if (is_met || !can_tighten || strictness <= least_strictness) return built;
   }
-}
-
-/// The part of the shot that each animation plays.
-std::vector<PlayedRange> ranges_of(const Clip& clip, const GltfOptions& options, const Built& built) {
-  const double first = clip.reports.front().frame / clip.fps, last = clip.reports.back().frame / clip.fps;
-  std::vector<PlayedRange> ranges;
-  for (std::size_t a = 0; a < built.animations.size(); ++a) {
-    PlayedRange range{built.animations[a], first, last};
-    if (!options.clips.empty()) {
-      range.from = std::max(options.clips[a].from, first);
-      range.to = std::min(options.clips[a].to, last);
-    }
-    ranges.push_back(range);
-  }
-  return ranges;
 }
 
 GltfReport report_on(const Built& built, const GltfOptions& options) {
@@ -148,8 +132,7 @@ Finished finish(const Clip& clip, const GltfOptions& options) {
   check_clip(clip);
   Built built = build_within_tolerance(clip, options);
   if (!options.handles.empty())
-    built.glb =
-        graft(built.glb, add_handles(built.glb, clip, options.handles, ranges_of(clip, options, built)));
+    built.glb = graft(built.glb, add_handles(built.glb, clip, options.handles, built.animations));
   GltfReport report = report_on(built, options);
   warn(options, report);
   Glb glb = options.encoding == Encoding::meshopt ? meshopt_compressed(built.glb) : std::move(built.glb);
