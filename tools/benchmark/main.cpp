@@ -17,12 +17,16 @@ const std::vector<std::string> all_parts{"peers", "threads", "limit", "solves", 
 struct Options {
   std::vector<std::string> parts = all_parts;
   std::string timelines = "timelines";
+  std::vector<std::string> sizes;  // of the peers' blobs; empty: all
   bool quick = false;
   bool json = false;
   bool markdown = false;
 
   bool wants(const std::string& part) const {
     return std::find(parts.begin(), parts.end(), part) != parts.end();
+  }
+  bool wants_size(const std::string& size) const {
+    return sizes.empty() || std::find(sizes.begin(), sizes.end(), size) != sizes.end();
   }
 };
 
@@ -52,6 +56,7 @@ Results measure(const Options& options) {
   const std::vector<Size> sizes = sizes_of(options);
   if (options.wants("peers")) {
     for (const Size& size : sizes) {
+      if (!options.wants_size(size.name)) continue;
       say("flexkey and CGAL, " + size.name);
       results.peers.push_back(compare_with_peer(size));
     }
@@ -95,6 +100,10 @@ int main(int argc, char** argv) {
   app.add_option("parts", options.parts, "what to measure (default: all of it)")
       ->check(CLI::IsMember(all_parts));
   app.add_option("--timelines", options.timelines, "folder of the sample shots")->capture_default_str();
+  app.add_option("--sizes", options.sizes, "of the blobs for the peers (default: all)")
+      ->check(CLI::IsMember({"2k", "10k", "50k", "200k"}))
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_flag("--quick", options.quick, "2k and 10k vertices only, and no sample shots");
   const auto json = app.add_flag("--json", options.json, "print the tables as JSON: seconds, bytes, shares");
   app.add_flag("--markdown", options.markdown, "print the tables as Markdown")->excludes(json);
