@@ -45,7 +45,7 @@ Prediction predict(const Problem& problem, const Pose& pose, const Targets& targ
   if (!problem.options.predict) return prediction;
   if (targets.turns.rows() > 0) {
     prediction.turns = problem.harmonic * targets.turns;
-    prediction.turned = turned_further(std::move(prediction.turned), prediction.turns);
+    prediction.turned = turned_further(prediction.turned, prediction.turns);
   }
   prediction.expected = Positions::Zero(problem.patch.fitted, 3);
   prediction.pace = (targets.positions - pose.targets).norm();
@@ -74,10 +74,10 @@ Iterate start(const Problem& problem, Pose& pose, const Prediction& prediction) 
   const DeformOptions& options = problem.options;
   Iterate from;
   from.positions = pose.positions(problem.patch.vertices, Eigen::all);
-  from.transforms = prediction.turned;
-  if (options.predict && pose.course.deviations.rows() > 0)
-    from.transforms =
-        turned_further(std::move(from.transforms), pose.course.recurrence * prediction.expected);
+  const bool is_carried_on = options.predict && pose.course.deviations.rows() > 0;
+  from.transforms = is_carried_on
+                        ? turned_further(prediction.turned, pose.course.recurrence * prediction.expected)
+                        : prediction.turned;
   from.window = std::exchange(pose.course.window, {});
   from.unseen = pose.course.unseen;
   // From rest, R = S = 1 makes the first solve the naive Laplacian one that the paper starts from.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexkey/deform/dispatch.h"
 #include "flexkey/deform/surface_order.h"
 
 namespace flexkey {
@@ -71,10 +72,10 @@ Vec3 rotation_vector(const Eigen::Matrix3d& Q) {
   return turn.angle() * turn.axis();
 }
 
-/// R turned further by exp [v], Rodrigues' formula; short turns by the first terms of its series.
-void turn_further(const Vec3& v, Eigen::Matrix3d& R) {
+/// exp [v] by Rodrigues' formula, short turns by the first terms of its series; 1 for v = 0, to the last bit.
+[[gnu::always_inline]] inline void turn(const double* v, double* Q) {
   constexpr double is_short = 1e-2;  // radians²
-  const double x = v.squaredNorm();
+  const double xx = v[0] * v[0], yy = v[1] * v[1], zz = v[2] * v[2], x = xx + yy + zz;
   // sin θ / θ and (1 − cos θ) / θ² of x = θ².
   double a = 1 - x * (1.0 / 6 - x * (1.0 / 120 - x * (1.0 / 5040 - x * (1.0 / 362880))));
   double b = 1.0 / 2 - x * (1.0 / 24 - x * (1.0 / 720 - x * (1.0 / 40320 - x * (1.0 / 3628800))));
@@ -83,9 +84,28 @@ void turn_further(const Vec3& v, Eigen::Matrix3d& R) {
     a = std::sin(angle) / angle;
     b = (1 - std::cos(angle)) / x;
   }
-  for (int c = 0; c < 3; ++c) {
-    const Vec3 across = v.cross(R.col(c));
-    R.col(c) += a * across + b * v.cross(across);
+  const double xy = b * v[0] * v[1], yz = b * v[1] * v[2], zx = b * v[2] * v[0];
+  Q[0] = 1 - b * (yy + zz), Q[1] = xy + a * v[2], Q[2] = zx - a * v[1];
+  Q[3] = xy - a * v[2], Q[4] = 1 - b * (zz + xx), Q[5] = yz + a * v[0];
+  Q[6] = zx + a * v[1], Q[7] = yz - a * v[0], Q[8] = 1 - b * (xx + yy);
+}
+
+using Four = double __attribute__((vector_size(4 * sizeof(double))));  // x, y, z and a spare
+
+/// `to` = Q `from`, 3 x 3 by columns.
+[[gnu::always_inline]] inline void multiply(const double* Q, const double* from, double* to) {
+  const Four x{Q[0], Q[1], Q[2]}, y{Q[3], Q[4], Q[5]}, z{Q[6], Q[7], Q[8]};
+  for (int c = 0; c < 9; c += 3) {
+    const Four column = x * from[c] + y * from[c + 1] + z * from[c + 2];
+    for (int r = 0; r < 3; ++r) to[c + r] = column[r];
+  }
+}
+
+FLEXKEY_CLONES void turn_all(const double* vectors, const double* from, double* to, int count) {
+  for (int i = 0; i < count; ++i) {
+    double Q[9];
+    turn(vectors + 3 * static_cast<std::ptrdiff_t>(i), Q);
+    multiply(Q, from + 9 * static_cast<std::ptrdiff_t>(i), to + 9 * static_cast<std::ptrdiff_t>(i));
   }
 }
 
@@ -124,11 +144,16 @@ Positions deviations(const Transforms& found, const Transforms& predicted) {
   return vectors;
 }
 
-Transforms turned_further(Transforms transforms, const Positions& vectors) {
-  tbb::parallel_for(std::size_t{0}, transforms.rotations.size(), [&](std::size_t i) {
-    turn_further(vectors.row(static_cast<Eigen::Index>(i)), transforms.rotations[i]);
+Transforms turned_further(const Transforms& transforms, const Positions& vectors) {
+  constexpr int grain = 512;  // cells a task
+  const int count = static_cast<int>(transforms.rotations.size());
+  Transforms turned{std::vector<Eigen::Matrix3d>(transforms.rotations.size()), transforms.scales};
+  tbb::parallel_for(0, (count + grain - 1) / grain, [&](int task) {
+    const int first = task * grain;
+    turn_all(vectors.data() + 3 * static_cast<std::ptrdiff_t>(first), transforms.rotations[first].data(),
+             turned.rotations[first].data(), std::min(grain, count - first));
   });
-  return transforms;
+  return turned;
 }
 
 double recurrence(const Positions& found, const Positions& expected) {

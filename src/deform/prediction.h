@@ -24,7 +24,7 @@ Positions deviations(const Transforms& found, const Transforms& predicted);
 
 /// R_i turned further by exp of its vector, S_i kept. vectors: #fitted x 3, world, radians; Σ_h w_h(i) θ_h of
 /// the handles' rotation vectors since the last frame counts whole turns.
-Transforms turned_further(Transforms transforms, const Positions& vectors);
+Transforms turned_further(const Transforms& transforms, const Positions& vectors);
 
 /// What share of the expected deviations came, by least squares, within 0 .. most_recurrence.
 double recurrence(const Positions& found, const Positions& expected);
