@@ -11,12 +11,16 @@ namespace {
 /// The way of the handles in one frame.
 struct Way {
   HandleStates from, to;
-  Positions turns;
   int parts = 1;
+
+  HandleStates after(int part) const {
+    if (part == parts) return to;
+    return part == 0 ? from : blend(from, to, static_cast<double>(part) / parts);
+  }
 };
 
 Way way_of(const Passage& passage, const Leg& leg) {
-  Way way{passage.before, leg.now, {}};
+  Way way{passage.before, leg.now};
   for (const int h : leg.active) {
     const auto k = static_cast<std::size_t>(h);
     Positions &from = way.from.curves[k], &to = way.to.curves[k];
@@ -26,18 +30,18 @@ Way way_of(const Passage& passage, const Leg& leg) {
     to = targets_of(leg.scene, leg.now, h);
     from = passage.pose.positions(leg.scene.handles[k].vertices, Eigen::all);
   }
-  way.turns = turns_between(way.from, way.to)(leg.active, Eigen::all);
-  const double largest = way.turns.rows() > 0 ? way.turns.rowwise().norm().maxCoeff() : 0;
+  const Positions turns = turns_between(leg.scene, way.from, way.to)(leg.active, Eigen::all);
+  const double largest = turns.rows() > 0 ? turns.rowwise().norm().maxCoeff() : 0;
   way.parts = std::max(1, static_cast<int>(std::ceil(largest / leg.max_step - 1e-9)));
   return way;
 }
 
 Frame part_of(const Way& way, const Leg& leg, int part) {
-  const bool is_last = part == way.parts;
-  const HandleStates at = is_last ? way.to : blend(way.from, way.to, static_cast<double>(part) / way.parts);
+  const HandleStates before = way.after(part - 1), at = way.after(part);
   const auto count = leg.scene.weld.surface.vertex_count();
-  return {{targets_of(leg.scene, leg.active, at), way.turns / way.parts},
-          Eigen::VectorXd::Constant(count, leg.lambda)};
+  return {
+      {targets_of(leg.scene, leg.active, at), turns_between(leg.scene, before, at)(leg.active, Eigen::all)},
+      Eigen::VectorXd::Constant(count, leg.lambda)};
 }
 
 void hold_with(const ActiveSet& active, DeformerCache& cache, Passage& passage) {

@@ -33,6 +33,12 @@ std::size_t shared(const std::vector<int>& sorted, const std::vector<int>& other
   }));
 }
 
+/// Gives amplitudes that are shares of the diagonal their lengths.
+void in_mesh_units(double diagonal, Handle& handle) {
+  for (Wave& wave : handle.waves) wave.sway.amplitude = {wave.sway.amplitude.resolve(diagonal)};
+  for (Noise& noise : handle.noises) noise.sway.amplitude = {noise.sway.amplitude.resolve(diagonal)};
+}
+
 /// Binds one shot, collecting every error on the way.
 class Binder {
  public:
@@ -125,6 +131,7 @@ void Binder::bind_handles(const Selector& selector) {
   for (const Handle& handle : shot_.handles) try {
       SceneHandle bound;
       bound.handle = handle;
+      in_mesh_units(bounds_of(scene_.weld.surface.positions).diagonal(), bound.handle);
       bound.vertices = selector.select(handle.select);
       bound.rest = scene_.weld.surface.positions(bound.vertices, Eigen::all);
       bound.pivot = handle.pivot.value_or(bound.rest.colwise().mean().transpose());

@@ -41,16 +41,16 @@ constexpr KeySpec handle[] = {
     {"rotate", "turn about the pivot by time, deg or rad"},
     {"scale", "factors along the world axes by time"},
     {"pivot", "the point to turn and scale about; default the centroid at rest"},
-    {"follow", "a path to ride on by arc length", Built::ignored},
+    {"follow", "a path that the pivot rides on by arc length; instead of move and to"},
     {"curve", "curves on which a path selection lies, by time; instead of every other motion"},
     {"motion", "a track from another file", Built::ignored},
     {"pose", "named poses by time", Built::ignored},
-    {"wave", "a periodic motion that is added", Built::ignored},
-    {"noise", "a random motion that is added", Built::ignored},
-    {"repeat", "how often the motion is played", Built::ignored},
-    {"delay", "time by which the motion starts later", Built::ignored},
-    {"mirror", "another handle's motion, mirrored", Built::ignored},
-    {"parent", "another handle whose motion this one inherits", Built::ignored},
+    {"wave", "a sine that is added to the motion, or a list of them"},
+    {"noise", "smooth random motion that is added, or a list of them"},
+    {"repeat", "how often the keyed motion is played, one time after another; default 1"},
+    {"delay", "time by which all of the motion is later"},
+    {"mirror", "another handle's motion as in a mirror, instead of keyed motions"},
+    {"parent", "another handle whose whole motion comes after this one's own"},
     {"weight", "in (0, 1]; below 1 the handle is soft and goes about that share of the way; default 1"},
     {"active", "[from, to), or a list of such: the vertices are free outside; default always"},
     {"fade", "time over which an active handle takes hold and lets go"},
@@ -103,9 +103,33 @@ constexpr KeySpec track[] = {
 };
 constexpr KeySpec rotate[] = {
     {"axis", "x, y, z, their negatives or a vector, for all keys"},
-    {"euler", "order of Euler angles, with keys of three angles", Built::ignored},
+    {"euler", "the order of turns about the fixed axes, such as xyz; keys are then [x, y, z], deg or rad"},
     {"keys", "angles by time, or {axis, angle} by time"},
     {"ease", "easing of the track's stretches"},
+};
+constexpr KeySpec follow[] = {
+    {"path", "a curve, or the name of one"},
+    {"keys", "shares of its length by time, 0..100%"},
+    {"ease", "easing of the track's stretches"},
+    {"orient", "none (default) or tangent: turns as the curve turns"},
+};
+constexpr KeySpec wave[] = {
+    {"amplitude", "of an offset mesh units or % of the diagonal; of a turn deg or rad"},
+    {"along", "the direction of an offset: x, y, z, their negatives or a vector"},
+    {"axis", "the axis of a turn, instead"},
+    {"frequency", "swings a second, above 0; default 1"},
+    {"phase", "at 0s, deg or rad; default 0deg"},
+};
+constexpr KeySpec noise[] = {
+    {"amplitude", "the most of it: of an offset mesh units or % of the diagonal; of a turn deg or rad"},
+    {"along", "the direction of an offset: x, y, z, their negatives or a vector"},
+    {"axis", "the axis of a turn, instead"},
+    {"frequency", "changes of direction a second, about; above 0; default 1"},
+    {"seed", "a whole number from 0; each gives another motion; default 0"},
+};
+constexpr KeySpec mirror[] = {
+    {"of", "the handle whose motion is mirrored"},
+    {"plane", "x, y or z: the axis across which left and right change places"},
 };
 constexpr KeySpec turn[] = {
     {"axis", "x, y, z, their negatives or a vector"},
@@ -188,6 +212,10 @@ constinit const MappingSpec plane_keys{"{point: [0, 0, 0], normal: z, within: 1%
 constinit const MappingSpec geodesic_keys{"{from: [0, 0, 0], radius: 30%}", geodesic};
 constinit const MappingSpec track_keys{"{keys: {0s: …, 2s: …}}", track};
 constinit const MappingSpec rotate_keys{"{axis: z, keys: {0s: 0deg, 2s: 90deg}}", rotate};
+constinit const MappingSpec follow_keys{"{path: arc, keys: {0s: 0%, 2s: 100%}}", follow};
+constinit const MappingSpec wave_keys{"{amplitude: 2%, along: z, frequency: 1}", wave};
+constinit const MappingSpec noise_keys{"{amplitude: 2%, along: z, frequency: 1, seed: 0}", noise};
+constinit const MappingSpec mirror_keys{"{of: ear_L, plane: x}", mirror};
 constinit const MappingSpec turn_keys{"{axis: z, angle: 90deg}", turn};
 constinit const MappingSpec key_keys{"{at: 2s, value: …, ease: hold}", key};
 constinit const MappingSpec curve_keys{"{polyline: [[0, 0, 0], [0, 1, 0]]}", curve};

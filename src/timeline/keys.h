@@ -35,6 +35,10 @@ extern const MappingSpec plane_keys;
 extern const MappingSpec geodesic_keys;
 extern const MappingSpec track_keys;  // move, to, scale, curve
 extern const MappingSpec rotate_keys;
+extern const MappingSpec follow_keys;
+extern const MappingSpec wave_keys;
+extern const MappingSpec noise_keys;
+extern const MappingSpec mirror_keys;
 extern const MappingSpec turn_keys;  // the value of a rotate key with an axis of its own
 extern const MappingSpec key_keys;   // one key of a track, in the list form
 extern const MappingSpec curve_keys;

@@ -8,9 +8,13 @@
 #include <variant>
 
 #include "flexkey/timeline/fields.h"
+#include "flexkey/timeline/play_out.h"
 #include "flexkey/timeline/read_active.h"
+#include "flexkey/timeline/read_links.h"
 #include "flexkey/timeline/read_motion.h"
+#include "flexkey/timeline/read_rotate.h"
 #include "flexkey/timeline/read_selection.h"
+#include "flexkey/timeline/read_sway.h"
 #include "flexkey/timeline/scalar.h"
 #include "flexkey/timeline/vector.h"
 
@@ -22,12 +26,23 @@ struct Exclusion {
   std::string_view one, other;
 };
 
-constexpr std::array<Exclusion, 5> exclusions = {{
+constexpr std::array<Exclusion, 16> exclusions = {{
     {"move", "to"},
+    {"follow", "move"},
+    {"follow", "to"},
     {"curve", "move"},
     {"curve", "to"},
     {"curve", "rotate"},
     {"curve", "scale"},
+    {"curve", "follow"},
+    {"curve", "wave"},
+    {"curve", "noise"},
+    {"curve", "mirror"},
+    {"mirror", "move"},
+    {"mirror", "to"},
+    {"mirror", "rotate"},
+    {"mirror", "scale"},
+    {"mirror", "follow"},
 }};
 
 void check_exclusions(const Fields& fields, const std::string& place, Scope& scope) {
@@ -64,7 +79,76 @@ double read_weight(const Node& node, Scope& scope) {
   return 1;
 }
 
-std::optional<Handle> read_handle(const Entry& entry, Scope& scope) {
+int read_repeat(const Node& node, Scope& scope) {
+  constexpr int most = 100'000;
+  const std::optional<int> times = read_whole(node, scope);
+  if (!times || (*times >= 1 && *times <= most)) return times.value_or(1);
+  scope.findings.error(node.where, fmt::format("repeat {} is outside 1..{} times", *times, most));
+  return 1;
+}
+
+/// {of, plane}; the other handle is found when all are read.
+std::optional<Mirror> read_mirror(const Node& node, const std::string& place, HandleLinks& links,
+                                  Scope& scope) {
+  const std::optional<Fields> fields = read_fields(node, mirror_keys, place, scope.findings);
+  if (!fields) return std::nullopt;
+  links.mirror_of = require(*fields, "of", node.where, place, scope.findings);
+  const Node* plane = require(*fields, "plane", node.where, place, scope.findings);
+  if (plane == nullptr) return std::nullopt;
+  constexpr std::string_view axes = "xyz";
+  const bool is_axis = plane->kind == Node::Kind::scalar && plane->text.size() == 1;
+  const std::size_t axis = is_axis ? axes.find(plane->text[0]) : std::string_view::npos;
+  if (axis != std::string_view::npos) return Mirror{-1, Vec3::Unit(static_cast<Eigen::Index>(axis))};
+  scope.findings.error(plane->where, fmt::format("'plane' is x, y or z, the axis across which left and right "
+                                                 "change places, not {}",
+                                                 describe(*plane)));
+  return std::nullopt;
+}
+
+void read_motions(const Fields& fields, const std::string& place, Scope& scope, Handle& handle) {
+  const auto of = [&](std::string_view key) { return fmt::format("'{}' of {}", key, place); };
+  if (const Node* node = fields.value("move")) handle.move = read_move(*node, of("move"), scope);
+  if (const Node* node = fields.value("to")) handle.to = read_to(*node, of("to"), scope);
+  if (const Node* node = fields.value("follow")) handle.follow = read_follow(*node, of("follow"), scope);
+  if (const Node* node = fields.value("rotate")) {
+    Rotation rotation = read_rotate(*node, of("rotate"), scope);
+    handle.rotate = std::move(rotation.turns);
+    handle.euler = std::move(rotation.euler);
+  }
+  if (const Node* node = fields.value("scale")) handle.scale = read_scale(*node, of("scale"), scope);
+  if (const Node* node = fields.value("curve")) handle.curve = read_curve_track(*node, of("curve"), scope);
+  if (const Node* node = fields.value("wave")) handle.waves = read_waves(*node, of("wave"), scope);
+  if (const Node* node = fields.value("noise")) handle.noises = read_noises(*node, of("noise"), scope);
+}
+
+/// The shot lasts until the handle's last key as it is played.
+void read_playing(const Fields& fields, const Entry& entry, Scope& scope, Handle& handle) {
+  Playing playing;
+  const Node *repeat = fields.value("repeat"), *delay = fields.value("delay");
+  if (repeat != nullptr) playing.repeat = read_repeat(*repeat, scope);
+  if (delay != nullptr) playing.delay = read_time(*delay, scope).value_or(0);
+  const Interval once = keyed_time(handle);
+  if (repeat != nullptr && once.from == once.to && !scope.findings.has_errors()) {
+    scope.findings.error(repeat->where,
+                         fmt::format("handle '{}' repeats no time: it has no two keys", handle.name));
+    playing.repeat = 1;
+  }
+  const double keys = 1 + (once.to - once.from) * scope.fps;
+  if (playing.repeat * keys > 1e6) {
+    scope.findings.error(repeat->where,
+                         fmt::format("repeated {} times, handle '{}' would move for {:.0f} frames; "
+                                     "1000000 are the most",
+                                     playing.repeat, handle.name, playing.repeat * keys));
+    return;
+  }
+  play_out(playing, scope.fps, handle);
+  if (const double last = keyed_time(handle).to; last > scope.last_key) {
+    scope.last_key = last;
+    scope.last_key_where = (repeat != nullptr ? repeat : delay != nullptr ? delay : &entry.key)->where;
+  }
+}
+
+std::optional<Handle> read_handle(const Entry& entry, HandleLinks& links, Scope& scope) {
   const std::string place = fmt::format("handle '{}'", entry.key.text);
   const std::optional<Fields> fields = read_fields(entry.value, handle_keys, place, scope.findings);
   if (!fields) return std::nullopt;
@@ -72,15 +156,11 @@ std::optional<Handle> read_handle(const Entry& entry, Scope& scope) {
   handle.name = entry.key.text;
   handle.where = entry.key.where;
   if (const Node* pivot = fields->value("pivot")) handle.pivot = read_point(*pivot, scope);
-  const auto motion_place = [&](std::string_view key) { return fmt::format("'{}' of {}", key, place); };
-  if (const Node* node = fields->value("move")) handle.move = read_move(*node, motion_place("move"), scope);
-  if (const Node* node = fields->value("to")) handle.to = read_to(*node, motion_place("to"), scope);
-  if (const Node* node = fields->value("rotate"))
-    handle.rotate = read_rotate(*node, motion_place("rotate"), scope);
-  if (const Node* node = fields->value("scale"))
-    handle.scale = read_scale(*node, motion_place("scale"), scope);
-  if (const Node* node = fields->value("curve"))
-    handle.curve = read_curve_track(*node, motion_place("curve"), scope);
+  read_motions(*fields, place, scope, handle);
+  if (const Node* node = fields->value("mirror"))
+    handle.mirror = read_mirror(*node, fmt::format("'mirror' of {}", place), links, scope);
+  links.parent = fields->value("parent");
+  read_playing(*fields, entry, scope, handle);
   if (const Node* node = fields->value("weight")) handle.weight = read_weight(*node, scope);
   read_activity(*fields, place, scope, handle);
   check_exclusions(*fields, place, scope);
@@ -99,9 +179,15 @@ std::vector<Handle> read_handles(const Node& node, Scope& scope) {
   if (!is_mapping(node, "'handles'", "{tip: {select: {axis: z, above: 99%}}}", scope.findings)) return {};
   if (node.entries.empty()) scope.findings.error(node.where, "'handles' names no handle");
   std::vector<Handle> handles;
+  std::vector<HandleLinks> links;
   for (const Entry& entry : node.entries) {
-    if (std::optional<Handle> handle = read_handle(entry, scope)) handles.push_back(std::move(*handle));
+    HandleLinks own;
+    std::optional<Handle> handle = read_handle(entry, own, scope);
+    if (!handle) continue;
+    handles.push_back(std::move(*handle));
+    links.push_back(own);
   }
+  if (handles.size() == node.entries.size()) link_handles(links, handles, scope);  // else names are missing
   return handles;
 }
 

@@ -35,8 +35,7 @@ bool is_track(const Node& node, const Scope& scope) {
 std::vector<WrittenKey> read_lambda_keys(const Node& node, Scope& scope) {
   if (!is_track(node, scope)) return read_keys(node, scope.ease, "'lambda'", scope);
   const std::optional<Fields> fields = read_fields(node, lambda_keys, "'lambda'", scope.findings);
-  Easing ease = scope.ease;
-  if (const Node* own = fields->value("ease")) ease = read_easing(*own, scope).value_or(ease);
+  const Easing ease = track_ease(*fields, scope);
   const Node* keys = require(*fields, "keys", node.where, "'lambda'", scope.findings);
   return keys != nullptr ? read_keys(*keys, ease, "'lambda'", scope) : std::vector<WrittenKey>();
 }

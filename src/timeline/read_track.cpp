@@ -89,6 +89,11 @@ std::optional<Easing> read_easing(const Node& node, Scope& scope) {
   return std::nullopt;
 }
 
+Easing track_ease(const Fields& fields, Scope& scope) {
+  const Node* own = fields.value("ease");
+  return own != nullptr ? read_easing(*own, scope).value_or(scope.ease) : scope.ease;
+}
+
 std::vector<WrittenKey> read_keys(const Node& keys, const Easing& ease, std::string_view place,
                                   Scope& scope) {
   std::vector<WrittenKey> result;
@@ -118,8 +123,7 @@ std::vector<WrittenKey> read_keys(const Node& keys, const Easing& ease, std::str
 std::vector<WrittenKey> read_track(const Node& node, std::string_view place, Scope& scope) {
   const std::optional<Fields> fields = read_fields(node, track_keys, place, scope.findings);
   if (!fields) return {};
-  Easing ease = scope.ease;
-  if (const Node* own = fields->value("ease")) ease = read_easing(*own, scope).value_or(ease);
+  const Easing ease = track_ease(*fields, scope);
   const Node* keys = require(*fields, "keys", node.where, place, scope.findings);
   return keys != nullptr ? read_keys(*keys, ease, place, scope) : std::vector<WrittenKey>();
 }

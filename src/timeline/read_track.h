@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "flexkey/timeline/fields.h"
 #include "flexkey/timeline/scope.h"
 
 namespace flexkey {
@@ -18,6 +19,9 @@ struct WrittenKey {
 
 /// An easing: a word, or [x1, y1, x2, y2] with x1 and x2 in 0..1.
 std::optional<Easing> read_easing(const Node& node, Scope& scope);
+
+/// The `ease` of a track's mapping, or else the file's default.
+Easing track_ease(const Fields& fields, Scope& scope);
 
 /// Keys by increasing time, from {time: value} or from [{at, value, ease}]. ease: of keys that give none.
 /// Two keys at one time are an error; so are no keys at all. place: "'move' of handle 'tip'".

@@ -5,6 +5,8 @@
 #include "flexkey/timeline/curve.h"
 #include "flexkey/timeline/interpolate.h"
 #include "flexkey/timeline/rotation.h"
+#include "flexkey/timeline/sway.h"
+#include "flexkey/timeline/tangent_turn.h"
 
 namespace flexkey {
 namespace {
@@ -45,11 +47,48 @@ AxisAngle sample_rotation(const Track<AxisAngle>& track, double time) {
   return {before.axis, interpolate<double>(track, time, [&](std::size_t i) { return track[i].value.angle; })};
 }
 
+void ride(const Follow& follow, const Vec3& pivot, double time, HandleMotion& motion) {
+  const MeasuredCurve path(follow.path, Positions(0, 3));
+  const double share =
+      interpolate<double>(follow.shares, time, [&](std::size_t i) { return follow.shares[i].value; });
+  motion.move = path.at(share) - pivot;
+  if (follow.orient == Follow::Orient::tangent)
+    motion.further.push_back(tangent_turn(path, follow.shares.front().value, share));
+}
+
+void turn_by_euler(const EulerTrack& euler, double time, HandleMotion& motion) {
+  const Vec3 angles = sample_vector(euler.keys, time);
+  const auto turn = [&](int axis) { return AxisAngle{Vec3::Unit(axis), angles[axis]}; };
+  motion.rotation = turn(euler.order[0]);
+  motion.further = {turn(euler.order[1]), turn(euler.order[2])};
+}
+
+void add_layer(const MotionTracks& layer, double time, HandleMotion& motion) {
+  if (!layer.scale.empty()) motion.scale = motion.scale.cwiseProduct(sample_vector(layer.scale, time));
+  if (!layer.rotate.empty()) motion.further.push_back(sample_rotation(layer.rotate, time));
+  if (!layer.move.empty()) motion.move += sample_vector(layer.move, time);
+}
+
+void add_sway(const Sway& sway, double share, HandleMotion& motion) {
+  const double amount = share * sway.amplitude.value;
+  if (sway.kind == Sway::Kind::turn) {
+    motion.further.push_back({sway.direction, amount});
+  } else {
+    motion.move += amount * sway.direction;
+  }
+}
+
 }  // namespace
+
+Eigen::Matrix3d HandleMotion::turn() const {
+  Eigen::Matrix3d R = Eigen::AngleAxisd(rotation.angle, rotation.axis).toRotationMatrix();
+  for (const AxisAngle& next : further) R = Eigen::AngleAxisd(next.angle, next.axis) * R;
+  return R;
+}
 
 Vec3 HandleMotion::apply(const Vec3& x, const Vec3& pivot) const {
   const Vec3 arm = x - pivot;
-  const Vec3 moved_arm = Eigen::AngleAxisd(rotation.angle, rotation.axis) * Vec3(scale.cwiseProduct(arm));
+  const Vec3 moved_arm = turn() * scale.cwiseProduct(arm);
   return x + (moved_arm - arm) + move;  // in this form a motion that does nothing gives x to the bit
 }
 
@@ -90,7 +129,23 @@ HandleMotion sample_motion(const Handle& handle, const Vec3& pivot, double time)
   if (!handle.rotate.empty()) motion.rotation = sample_rotation(handle.rotate, time);
   if (!handle.move.empty()) motion.move = sample_vector(handle.move, time);
   if (!handle.to.empty()) motion.move = sample_vector(handle.to, time) - pivot;
+  if (!handle.euler.keys.empty()) turn_by_euler(handle.euler, time, motion);
+  if (handle.follow) ride(*handle.follow, pivot, time, motion);
+  for (const MotionTracks& layer : handle.layers) add_layer(layer, time, motion);
+  for (const Wave& wave : handle.waves) add_sway(wave.sway, wave_at(wave, time), motion);
+  for (const Noise& noise : handle.noises) add_sway(noise.sway, noise_at(noise, time), motion);
   return motion;
+}
+
+HandleMotion mirrored(const HandleMotion& motion, const Vec3& normal) {
+  const auto reflected = [&](const Vec3& v) -> Vec3 { return v - 2 * normal.dot(v) * normal; };
+  const auto turned =
+      [&](const AxisAngle& turn) {  // an axis of rotation is no arrow: it points the other way
+        return AxisAngle{-reflected(turn.axis), turn.angle};
+      };
+  HandleMotion other{motion.scale, turned(motion.rotation), {}, reflected(motion.move)};
+  for (const AxisAngle& turn : motion.further) other.further.push_back(turned(turn));
+  return other;
 }
 
 Positions sample_curve(const Track<Curve>& track, const Positions& chain, double time) {

@@ -34,11 +34,6 @@ std::optional<double> parse_plain_time(std::string_view text, double fps) {
   return parse_number(text);
 }
 
-double snapped_to_frame(double time, double fps) {
-  const double frame = std::round(time * fps);
-  return std::abs(time * fps - frame) <= 1e-6 ? frame / fps : time;
-}
-
 void report_no_time(const Node& node, Scope& scope) {
   std::string problem = number_problem(node.text);
   if (problem.ends_with("is not a number")) problem = fmt::format("'{}' is not a time", node.text);
@@ -72,6 +67,11 @@ std::optional<double> read_any_time(const Node& node, Scope& scope) {
 }
 
 }  // namespace
+
+double snapped_to_frame(double time, double fps) {
+  const double frame = std::round(time * fps);
+  return std::abs(time * fps - frame) <= 1e-6 ? frame / fps : time;
+}
 
 std::optional<double> read_number(const Node& node, Scope& scope) {
   const std::optional<std::string_view> text = text_of(node, "a number", scope);

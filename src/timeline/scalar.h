@@ -11,6 +11,9 @@ namespace flexkey {
 std::optional<double> read_number(const Node& node, Scope& scope);
 std::optional<int> read_whole(const Node& node, Scope& scope);
 
+/// A time within 1e-6 of a frame as that frame's, k / fps to the bit.
+double snapped_to_frame(double time, double fps);
+
 /// Seconds, at or after 0: "1.5", "1.5s", "36f", "hit", "hit+4f". A time within 1e-6 of a frame is that
 /// frame's time k / fps to the bit, so that a sample at the frame meets the key.
 std::optional<double> read_time(const Node& node, Scope& scope);

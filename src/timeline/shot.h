@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "flexkey/mesh/selection.h"
+#include "flexkey/timeline/motion.h"
 #include "flexkey/timeline/track.h"
 
 namespace flexkey {
@@ -22,18 +23,27 @@ struct Handle {
   std::string name;
   Mark where;
   Selection select;
-  std::optional<Vec3> pivot;     // default: the centroid of its vertices at rest
-  Track<Vec3> move;              // offset from rest
-  Track<Vec3> to;                // where the pivot goes; excludes `move`
-  Track<AxisAngle> rotate;       // with one axis for all keys, or an axis a key (then slerped)
-  Track<Vec3> scale;             // factors along the world axes
-  Track<Curve> curve;            // for a `path` selection; excludes every other motion
-  double weight = 1;             // in (0, 1]; below 1 the handle is soft
-  std::vector<Interval> active;  // when it holds, one after another; empty: always
-  double fade = 0;               // seconds, at both ends of each
+  std::optional<Vec3> pivot;         // default: the centroid of its vertices at rest
+  Track<Vec3> move;                  // offset from rest
+  Track<Vec3> to;                    // where the pivot goes; excludes `move` and `follow`
+  std::optional<Follow> follow;      // the pivot's path
+  Track<AxisAngle> rotate;           // with one axis for all keys, or an axis a key (then slerped)
+  EulerTrack euler;                  // instead of it
+  Track<Vec3> scale;                 // factors along the world axes
+  Track<Curve> curve;                // for a `path` selection; excludes every other motion
+  std::vector<MotionTracks> layers;  // of poses and of files, one after another after the keyed ones
+  std::vector<Wave> waves;           // added to the keyed motion
+  std::vector<Noise> noises;         // likewise
+  std::optional<Mirror> mirror;      // instead of keyed motions
+  int parent = -1;                   // a handle of the shot whose whole motion comes after its own, or none
+  double weight = 1;                 // in (0, 1]; below 1 the handle is soft
+  std::vector<Interval> active;      // when it holds, one after another; empty: always
+  double fade = 0;                   // seconds, at both ends of each
 
   bool is_anchor() const {
-    return move.empty() && to.empty() && rotate.empty() && scale.empty() && curve.empty();
+    const bool is_keyed = !(move.empty() && to.empty() && rotate.empty() && euler.keys.empty() &&
+                            scale.empty() && curve.empty());
+    return !is_keyed && !follow && layers.empty() && waves.empty() && noises.empty() && !mirror && parent < 0;
   }
 };
 

@@ -21,18 +21,8 @@ TEST(Warnings, OfTopLevelKeys) {
 }
 
 TEST(Warnings, OfHandleKeys) {
-  EXPECT_THAT(warnings_of(with_tip("    parent: base\n    follow: {path: arc}\n    wave: {}\n    noise: {}\n"
-                                   "    motion: {csv: a.csv}\n    pose: {}\n"
-                                   "    repeat: 2\n    delay: 1s\n    mirror: {of: a}\n")),
-              ElementsAre(ignored("5:5", "parent"), ignored("6:5", "follow"), ignored("7:5", "wave"),
-                          ignored("8:5", "noise"), ignored("9:5", "motion"), ignored("10:5", "pose"),
-                          ignored("11:5", "repeat"), ignored("12:5", "delay"), ignored("13:5", "mirror")));
-}
-
-TEST(Warnings, EulerAnglesAreLeftOut) {
-  const std::string text = with_tip("    rotate: {euler: xyz, keys: {0s: [0deg, 0deg, 0deg]}}\n");
-  EXPECT_THAT(warnings_of(text), ElementsAre(ignored("5:14", "euler")));
-  EXPECT_TRUE(parse(text).handles.at(0).rotate.empty());
+  EXPECT_THAT(warnings_of(with_tip("    motion: {csv: a.csv}\n    pose: {}\n")),
+              ElementsAre(ignored("5:5", "motion"), ignored("6:5", "pose")));
 }
 
 TEST(Warnings, OfMeshAndLambda) {
@@ -67,8 +57,8 @@ TEST(Warnings, AreNotGivenForWhatIsBuilt) {
 }
 
 TEST(Warnings, StandOnceWhereAnAliasRepeatsThem) {
-  EXPECT_THAT(warnings_of("mesh: a.obj\nhandles:\n  a: &a {select: {group: a}, repeat: 2}\n  b: *a\n"),
-              ElementsAre(ignored("3:30", "repeat")));
+  EXPECT_THAT(warnings_of("mesh: a.obj\nhandles:\n  a: &a {select: {group: a}, pose: 2}\n  b: *a\n"),
+              ElementsAre(ignored("3:30", "pose")));
 }
 
 }  // namespace
