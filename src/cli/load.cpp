@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "cli/output_paths.h"
+#include "cli/timeline_files.h"
 #include "flexkey/gltf/read_gltf.h"
 #include "flexkey/mesh/defects.h"
 #include "flexkey/mesh/read_file.h"
@@ -22,9 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path mesh_path_of(const Shot& shot) {
-  const fs::path folder = shot.file == "-" ? fs::path() : fs::path(shot.file).parent_path();
-  return folder / shot.mesh.file;
+/// Where the paths that a timeline gives begin.
+fs::path folder_of(const std::string& timeline) {
+  return timeline == "-" ? fs::path() : fs::path(timeline).parent_path();
 }
 
 std::string lower_extension(const fs::path& path) {
@@ -99,12 +100,13 @@ LoadedShot load_shot(const ShotOptions& options) {
   LoadedShot loaded;
   const std::vector<Override> overrides = options.overrides();
   const std::string text = read_timeline(options.shot);
-  ParsedShot parsed = parse_shot(text, options.shot, overrides);
+  TimelineFiles files{folder_of(options.shot), {}, {}};
+  ParsedShot parsed = parse_shot(text, options.shot, overrides, sources_of(files));
   loaded.shot = std::move(parsed.shot);
   for (const Diagnostic& warning : parsed.warnings)
     loaded.warnings.push_back(format_diagnostic(loaded.shot.file, warning));
 
-  loaded.mesh_path = mesh_path_of(loaded.shot);
+  loaded.mesh_path = files.folder / loaded.shot.mesh.file;
   GltfFile named = read_named_mesh(loaded.shot, loaded.mesh_path, overrides);
   MeshFile& file = named.file;
   loaded.mesh = std::move(file.mesh);
@@ -115,10 +117,12 @@ LoadedShot load_shot(const ShotOptions& options) {
 
   std::vector<std::string> hashed{text, read_file(loaded.mesh_path)};
   for (const fs::path& input : file.inputs) hashed.push_back(read_file(input));
+  hashed.insert(hashed.end(), files.contents.begin(), files.contents.end());
   hashed.insert(hashed.end(), options.set.begin(), options.set.end());
   loaded.hash = hash_of(hashed);
 
   loaded.inputs = std::move(file.inputs);
+  loaded.inputs.insert(loaded.inputs.end(), files.paths.begin(), files.paths.end());
   loaded.inputs.emplace_back(options.shot == "-" ? "/dev/stdin" : options.shot);
   loaded.inputs.push_back(loaded.mesh_path);
   for (const Material& material : loaded.mesh.materials)

@@ -13,7 +13,7 @@ constexpr KeySpec shot[] = {
     {"times", "named times"},
     {"points", "named positions, mesh units"},
     {"paths", "named curves"},
-    {"poses", "named poses of several handles", Built::ignored},
+    {"poses", "named poses: {smile: {corner_L: {move: [0, 1, 0]}, …}, …}"},
     {"roi", "selection outside which everything is held at rest; default the whole mesh"},
     {"handles", "what the timeline leads, by name"},
     {"rigid", "selections that each move as one body, by name"},
@@ -43,8 +43,9 @@ constexpr KeySpec handle[] = {
     {"pivot", "the point to turn and scale about; default the centroid at rest"},
     {"follow", "a path that the pivot rides on by arc length; instead of move and to"},
     {"curve", "curves on which a path selection lies, by time; instead of every other motion"},
-    {"motion", "a track from another file", Built::ignored},
-    {"pose", "named poses by time", Built::ignored},
+    {"motion",
+     "a motion from elsewhere: an animated node of a glTF file, or a CSV; relative to its first sample"},
+    {"pose", "named poses by time, of keys or of a cue file"},
     {"wave", "a sine that is added to the motion, or a list of them"},
     {"noise", "smooth random motion that is added, or a list of them"},
     {"repeat", "how often the keyed motion is played, one time after another; default 1"},
@@ -112,6 +113,20 @@ constexpr KeySpec follow[] = {
     {"keys", "shares of its length by time, 0..100%"},
     {"ease", "easing of the track's stretches"},
     {"orient", "none (default) or tangent: turns as the curve turns"},
+};
+constexpr KeySpec motion[] = {
+    {"from", "an animated node: rig.glb#Ear_L"},
+    {"csv", "a table: time, tx ty tz, and rx ry rz (degrees, about x first) or qx qy qz qw"},
+};
+constexpr KeySpec pose[] = {
+    {"keys", "names of poses, or rest, by time"},
+    {"ease", "easing of the track's stretches"},
+    {"cues", "a file with a time and a pose's name a line, instead of keys"},
+};
+constexpr KeySpec posed[] = {
+    {"move", "offset from rest, mesh units"},
+    {"rotate", "{axis, angle} about the handle's pivot"},
+    {"scale", "factors along the world axes"},
 };
 constexpr KeySpec wave[] = {
     {"amplitude", "of an offset mesh units or % of the diagonal; of a turn deg or rad"},
@@ -213,6 +228,9 @@ constinit const MappingSpec geodesic_keys{"{from: [0, 0, 0], radius: 30%}", geod
 constinit const MappingSpec track_keys{"{keys: {0s: …, 2s: …}}", track};
 constinit const MappingSpec rotate_keys{"{axis: z, keys: {0s: 0deg, 2s: 90deg}}", rotate};
 constinit const MappingSpec follow_keys{"{path: arc, keys: {0s: 0%, 2s: 100%}}", follow};
+constinit const MappingSpec motion_keys{"{from: rig.glb#Ear_L}", motion};
+constinit const MappingSpec pose_keys{"{keys: {0s: rest, 1s: smile}}", pose};
+constinit const MappingSpec posed_keys{"{move: [0, 1, 0], rotate: {axis: x, angle: 10deg}}", posed};
 constinit const MappingSpec wave_keys{"{amplitude: 2%, along: z, frequency: 1}", wave};
 constinit const MappingSpec noise_keys{"{amplitude: 2%, along: z, frequency: 1, seed: 0}", noise};
 constinit const MappingSpec mirror_keys{"{of: ear_L, plane: x}", mirror};

@@ -36,6 +36,9 @@ extern const MappingSpec geodesic_keys;
 extern const MappingSpec track_keys;  // move, to, scale, curve
 extern const MappingSpec rotate_keys;
 extern const MappingSpec follow_keys;
+extern const MappingSpec motion_keys;
+extern const MappingSpec pose_keys;
+extern const MappingSpec posed_keys;  // a handle in a pose
 extern const MappingSpec wave_keys;
 extern const MappingSpec noise_keys;
 extern const MappingSpec mirror_keys;

@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "flexkey/timeline/track.h"
 
@@ -20,6 +23,15 @@ struct MotionTracks {
   Track<AxisAngle> rotate;
   Track<Vec3> scale;
 };
+
+/// Where a named pose has a handle.
+struct PosedHandle {
+  Vec3 move{0, 0, 0};
+  AxisAngle rotation;
+  Vec3 scale{1, 1, 1};
+  Mark where;  // of the handle's name in the pose
+};
+using NamedPose = std::map<std::string, PosedHandle, std::less<>>;
 
 /// The pivot on its way along a curve, by arc length.
 struct Follow {

@@ -16,6 +16,7 @@
 #include "flexkey/timeline/read_mesh_source.h"
 #include "flexkey/timeline/read_names.h"
 #include "flexkey/timeline/read_output.h"
+#include "flexkey/timeline/read_pose.h"
 #include "flexkey/timeline/read_rigid.h"
 #include "flexkey/timeline/read_selection.h"
 #include "flexkey/timeline/read_solver.h"
@@ -60,6 +61,7 @@ void read_definitions(const Fields& fields, Scope& scope) {
   if (const Node* times = fields.value("times")) read_times(*times, scope);
   if (const Node* points = fields.value("points")) read_named_points(*points, scope);
   if (const Node* paths = fields.value("paths")) read_paths(*paths, scope);
+  if (const Node* poses = fields.value("poses")) read_poses(*poses, scope);
 }
 
 /// Seconds; the last key where the file gives none. Every key must have been read.
@@ -101,10 +103,10 @@ Shot read_contents(const Fields& fields, Scope& scope) {
   return shot;
 }
 
-Shot read_shot(const Node& root, Findings& findings) {
+Shot read_shot(const Node& root, const Sources& sources, Findings& findings) {
   const std::optional<Fields> fields = read_fields(root, shot_keys, "", findings);
   if (!fields) return {};
-  Scope scope(findings);
+  Scope scope(findings, sources);
   if (const Node* node = fields->value("version")) check_version(*node, scope);
   if (const Node* node = fields->value("loop")) check_loop(*node, scope);
   read_definitions(*fields, scope);
@@ -156,12 +158,12 @@ Diagnostic error_at(Mark where, const std::string& message, const std::vector<Ov
   return diagnostic;
 }
 
-ParsedShot parse_shot(std::string_view text, const std::string& file,
-                      const std::vector<Override>& overrides) {
+ParsedShot parse_shot(std::string_view text, const std::string& file, const std::vector<Override>& overrides,
+                      const Sources& sources) {
   Findings findings;
   const std::optional<Node> root = read_tree(text, overrides, findings);
   ParsedShot parsed;
-  if (root) parsed.shot = read_shot(*root, findings);
+  if (root) parsed.shot = read_shot(*root, sources, findings);
   if (findings.has_errors()) throw TimelineError(file, with_sources(findings.errors(), overrides));
   parsed.shot.file = file;
   parsed.shot.name = name_of(file);

@@ -6,6 +6,7 @@
 
 #include "flexkey/timeline/diagnostic.h"
 #include "flexkey/timeline/shot.h"
+#include "flexkey/timeline/sources.h"
 
 namespace flexkey {
 
@@ -21,9 +22,10 @@ struct ParsedShot {
 };
 
 /// Reads a timeline. `file` names it in messages and gives the shot its name ("-": "stdin").
-/// Throws TimelineError with every error of the text and of the overrides, by position.
+/// sources: of the files that it names for motions. Throws TimelineError with every error of the text and of
+/// the overrides, by position.
 ParsedShot parse_shot(std::string_view text, const std::string& file,
-                      const std::vector<Override>& overrides = {});
+                      const std::vector<Override>& overrides = {}, const Sources& sources = no_sources());
 
 /// The text of a timeline file, at most 4 MiB; "-" is standard input. Throws TimelineError if it cannot be
 /// read.

@@ -12,6 +12,8 @@
 #include "flexkey/timeline/read_active.h"
 #include "flexkey/timeline/read_links.h"
 #include "flexkey/timeline/read_motion.h"
+#include "flexkey/timeline/read_motion_file.h"
+#include "flexkey/timeline/read_pose.h"
 #include "flexkey/timeline/read_rotate.h"
 #include "flexkey/timeline/read_selection.h"
 #include "flexkey/timeline/read_sway.h"
@@ -26,23 +28,11 @@ struct Exclusion {
   std::string_view one, other;
 };
 
-constexpr std::array<Exclusion, 16> exclusions = {{
-    {"move", "to"},
-    {"follow", "move"},
-    {"follow", "to"},
-    {"curve", "move"},
-    {"curve", "to"},
-    {"curve", "rotate"},
-    {"curve", "scale"},
-    {"curve", "follow"},
-    {"curve", "wave"},
-    {"curve", "noise"},
-    {"curve", "mirror"},
-    {"mirror", "move"},
-    {"mirror", "to"},
-    {"mirror", "rotate"},
-    {"mirror", "scale"},
-    {"mirror", "follow"},
+constexpr std::array<Exclusion, 20> exclusions = {{
+    {"move", "to"},       {"follow", "move"}, {"follow", "to"},    {"curve", "move"},    {"curve", "to"},
+    {"curve", "rotate"},  {"curve", "scale"}, {"curve", "follow"}, {"curve", "wave"},    {"curve", "noise"},
+    {"curve", "mirror"},  {"mirror", "move"}, {"mirror", "to"},    {"mirror", "rotate"}, {"mirror", "scale"},
+    {"mirror", "follow"}, {"curve", "pose"},  {"curve", "motion"}, {"mirror", "pose"},   {"mirror", "motion"},
 }};
 
 void check_exclusions(const Fields& fields, const std::string& place, Scope& scope) {
@@ -117,6 +107,10 @@ void read_motions(const Fields& fields, const std::string& place, Scope& scope, 
   }
   if (const Node* node = fields.value("scale")) handle.scale = read_scale(*node, of("scale"), scope);
   if (const Node* node = fields.value("curve")) handle.curve = read_curve_track(*node, of("curve"), scope);
+  if (const Node* node = fields.value("pose"))
+    handle.layers.push_back(read_pose_track(*node, handle.name, of("pose"), scope));
+  if (const Node* node = fields.value("motion"))
+    handle.layers.push_back(read_motion_file(*node, of("motion"), scope));
   if (const Node* node = fields.value("wave")) handle.waves = read_waves(*node, of("wave"), scope);
   if (const Node* node = fields.value("noise")) handle.noises = read_noises(*node, of("noise"), scope);
 }
@@ -173,6 +167,12 @@ std::optional<Handle> read_handle(const Entry& entry, HandleLinks& links, Scope&
   return handle;
 }
 
+/// What can be said when all handles are known.
+void finish(const std::vector<HandleLinks>& links, std::vector<Handle>& handles, Scope& scope) {
+  link_handles(links, handles, scope);
+  check_posed_handles(handles, scope);
+}
+
 }  // namespace
 
 std::vector<Handle> read_handles(const Node& node, Scope& scope) {
@@ -187,7 +187,7 @@ std::vector<Handle> read_handles(const Node& node, Scope& scope) {
     handles.push_back(std::move(*handle));
     links.push_back(own);
   }
-  if (handles.size() == node.entries.size()) link_handles(links, handles, scope);  // else names are missing
+  if (handles.size() == node.entries.size()) finish(links, handles, scope);  // else names are missing
   return handles;
 }
 

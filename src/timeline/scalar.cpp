@@ -24,16 +24,6 @@ bool begins_number(std::string_view text) {
   return !text.empty() && (std::string_view("0123456789.+-").find(text[0]) != std::string_view::npos);
 }
 
-/// Seconds of "1.5", "1.5s" or "36f"; may be negative.
-std::optional<double> parse_plain_time(std::string_view text, double fps) {
-  if (text.ends_with('f')) {
-    const std::optional<double> frames = parse_number(text.substr(0, text.size() - 1));
-    return frames ? std::optional(*frames / fps) : std::nullopt;
-  }
-  if (text.ends_with('s')) text.remove_suffix(1);
-  return parse_number(text);
-}
-
 void report_no_time(const Node& node, Scope& scope) {
   std::string problem = number_problem(node.text);
   if (problem.ends_with("is not a number")) problem = fmt::format("'{}' is not a time", node.text);
@@ -67,6 +57,15 @@ std::optional<double> read_any_time(const Node& node, Scope& scope) {
 }
 
 }  // namespace
+
+std::optional<double> parse_plain_time(std::string_view text, double fps) {
+  if (text.ends_with('f')) {
+    const std::optional<double> frames = parse_number(text.substr(0, text.size() - 1));
+    return frames ? std::optional(*frames / fps) : std::nullopt;
+  }
+  if (text.ends_with('s')) text.remove_suffix(1);
+  return parse_number(text);
+}
 
 double snapped_to_frame(double time, double fps) {
   const double frame = std::round(time * fps);

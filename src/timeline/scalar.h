@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "flexkey/timeline/scope.h"
 
@@ -13,6 +14,9 @@ std::optional<int> read_whole(const Node& node, Scope& scope);
 
 /// A time within 1e-6 of a frame as that frame's, k / fps to the bit.
 double snapped_to_frame(double time, double fps);
+
+/// Seconds of "1.5", "1.5s" or "36f"; may be negative.
+std::optional<double> parse_plain_time(std::string_view text, double fps);
 
 /// Seconds, at or after 0: "1.5", "1.5s", "36f", "hit", "hit+4f". A time within 1e-6 of a frame is that
 /// frame's time k / fps to the bit, so that a sample at the frame meets the key.

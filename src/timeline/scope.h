@@ -10,6 +10,7 @@
 
 #include "flexkey/timeline/findings.h"
 #include "flexkey/timeline/node.h"
+#include "flexkey/timeline/sources.h"
 #include "flexkey/timeline/track.h"
 
 namespace flexkey {
@@ -21,14 +22,16 @@ using Names = std::map<std::string, std::optional<Value>, std::less<>>;
 
 /// What the readers of a file share: the values named in it, its defaults, and where findings go.
 struct Scope {
-  explicit Scope(Findings& sink) : findings(sink) {}
+  Scope(Findings& sink, const Sources& files) : findings(sink), sources(files) {}
 
   Findings& findings;
+  const Sources& sources;
   double fps = 24;
   Easing ease;  // the file's default
   Names<double> times;
   Names<Vec3> points;
   Names<Curve> paths;
+  Names<NamedPose> poses;
   double last_key = 0;  // seconds; of all tracks read so far
   Mark last_key_where;
 };

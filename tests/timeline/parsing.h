@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "flexkey/timeline/parse.h"
@@ -25,10 +27,22 @@ inline Handle parse_tip(const std::string& lines) {
   return parse(with_tip(lines)).handles.at(0);
 }
 
+/// Files for a timeline, by path.
+inline Sources files(std::map<std::string, std::string> texts) {
+  Sources sources = no_sources();
+  sources.text = [texts = std::move(texts)](const std::string& path) {
+    const auto found = texts.find(path);
+    if (found == texts.end()) throw InputError("cannot read '" + path + "'");
+    return found->second;
+  };
+  return sources;
+}
+
 /// Every error of a text as the program would print it, one a line; empty if there is none.
-inline std::string errors_of(const std::string& text, const std::vector<Override>& overrides = {}) {
+inline std::string errors_of(const std::string& text, const std::vector<Override>& overrides = {},
+                             const Sources& sources = no_sources()) {
   try {
-    parse_shot(text, "shot.yaml", overrides);
+    parse_shot(text, "shot.yaml", overrides, sources);
   } catch (const TimelineError& error) {
     return error.what();
   }

@@ -91,7 +91,8 @@ TEST(Axes, AreUnitVectors) {
 
 TEST(Switches, HaveThreeSpellings) {
   Findings findings;
-  Scope scope(findings);
+  const Sources files = no_sources();
+  Scope scope(findings, files);
   Node node;
   node.kind = Node::Kind::scalar;
   for (const char* text : {"on", "true", "yes"}) {

@@ -16,13 +16,8 @@ std::string ignored(const std::string& place, const std::string& key) {
 }
 
 TEST(Warnings, OfTopLevelKeys) {
-  EXPECT_THAT(warnings_of(with_base("vars: [1, [2]]\nposes:\nattach: 3\n")),
-              ElementsAre(ignored("4:1", "vars"), ignored("5:1", "poses"), ignored("6:1", "attach")));
-}
-
-TEST(Warnings, OfHandleKeys) {
-  EXPECT_THAT(warnings_of(with_tip("    motion: {csv: a.csv}\n    pose: {}\n")),
-              ElementsAre(ignored("5:5", "motion"), ignored("6:5", "pose")));
+  EXPECT_THAT(warnings_of(with_base("vars: [1, [2]]\nattach: 3\n")),
+              ElementsAre(ignored("4:1", "vars"), ignored("5:1", "attach")));
 }
 
 TEST(Warnings, OfMeshAndLambda) {
@@ -54,11 +49,6 @@ TEST(Warnings, AreNotGivenForWhatIsBuilt) {
   EXPECT_THAT(warnings_of(with_base("clips: {in: [0s, 1s]}\noutput: {gltf: {path: a.glb, basis: pca, "
                                     "profile: web, encoding: float}}\n")),
               IsEmpty());
-}
-
-TEST(Warnings, StandOnceWhereAnAliasRepeatsThem) {
-  EXPECT_THAT(warnings_of("mesh: a.obj\nhandles:\n  a: &a {select: {group: a}, pose: 2}\n  b: *a\n"),
-              ElementsAre(ignored("3:30", "pose")));
 }
 
 }  // namespace
