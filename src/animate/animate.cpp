@@ -5,6 +5,7 @@
 
 #include "flexkey/animate/handle_matrices.h"
 #include "flexkey/animate/handle_states.h"
+#include "flexkey/animate/lambda_field.h"
 #include "flexkey/animate/passage.h"
 #include "flexkey/timeline/sampling.h"
 
@@ -105,7 +106,7 @@ HandleStates faded(const Scene& scene, HandleStates states, const Pose& without_
 
 /// The next leg of a take; set: active_at or firm_at.
 Leg leg_of(const Take& take, const ActiveSet& active, double time) {
-  return {take.scene, active, sample_states(take.scene, time), sample_lambda(take.shot.lambda, time),
+  return {take.scene, active, sample_states(take.scene, time), lambda_at(take.shot, take.scene, time),
           take.shot.solver.max_step};
 }
 

@@ -38,10 +38,8 @@ Way way_of(const Passage& passage, const Leg& leg) {
 
 Frame part_of(const Way& way, const Leg& leg, int part) {
   const HandleStates before = way.after(part - 1), at = way.after(part);
-  const auto count = leg.scene.weld.surface.vertex_count();
-  return {
-      {targets_of(leg.scene, leg.active, at), turns_between(leg.scene, before, at)(leg.active, Eigen::all)},
-      Eigen::VectorXd::Constant(count, leg.lambda)};
+  const Positions turns = turns_between(leg.scene, before, at);
+  return {{targets_of(leg.scene, leg.active, at), turns(leg.active, Eigen::all)}, leg.lambda};
 }
 
 void hold_with(const ActiveSet& active, DeformerCache& cache, Passage& passage) {

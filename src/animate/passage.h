@@ -24,8 +24,8 @@ struct Leg {
   const Scene& scene;
   ActiveSet active;
   HandleStates now;
-  double lambda = 0;
-  double max_step = 0;  // the most that a handle turns in one solve, radians
+  Eigen::VectorXd lambda;  // #V of the surface
+  double max_step = 0;     // the most that a handle turns in one solve, radians
 };
 
 /// Takes each passage one frame further, in as many equal parts as keep each turn within max_step; those that

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <set>
+#include <span>
 
 #include "flexkey/animate/join_components.h"
+#include "flexkey/animate/lambda_field.h"
 #include "flexkey/animate/unheld.h"
 #include "flexkey/mesh/connectivity.h"
+#include "flexkey/mesh/geodesic.h"
 #include "flexkey/mesh/select.h"
 #include "flexkey/timeline/sampling.h"
 
@@ -49,6 +53,10 @@ class Binder {
   void bind_region(const Selector& selector);
   void bind_handles(const Selector& selector);
   void bind_regions(const Selector& selector);
+  void bind_lambda(const Selector& selector);
+  void bind_attachments(const Selector& selector);
+  void ride(const std::vector<int>& vertices, const std::vector<int>& carriers);
+  std::vector<int> patch_around(int vertex, int rings) const;
   void refuse_shared_vertices();
   void refuse_regions_that_touch();
   void refuse_handles_outside();
@@ -71,7 +79,7 @@ class Binder {
 
 Binder::Binder(const Shot& shot, const Mesh& mesh)
     : shot_(shot),
-      scene_{weld(mesh, shot.mesh.weld.resolve(bounds_of(mesh.positions).diagonal())), {}, {}, {}, 0, 0},
+      scene_{weld(mesh, shot.mesh.weld.resolve(bounds_of(mesh.positions).diagonal())), {}, {}, {}, {}, 0, 0},
       mesh_name_(std::filesystem::path(shot.mesh.file).filename().string()),
       neighbours_(mesh_edges(scene_.weld.surface), scene_.weld.surface.vertex_count()) {
   in_region_.assign(index(scene_.weld.surface.vertex_count()), true);
@@ -83,9 +91,11 @@ Scene Binder::bind() {
   bind_region(selector);
   bind_handles(selector);
   bind_regions(selector);
+  bind_lambda(selector);
   refuse_shared_vertices();
   refuse_handles_outside();
   refuse_regions_that_touch();
+  if (errors_.empty()) bind_attachments(selector);
   if (errors_.empty()) place_loose_components();
   if (!errors_.empty()) throw TimelineError(shot_.file, std::move(errors_));
 
@@ -149,6 +159,71 @@ void Binder::bind_regions(const Selector& selector) {
       fail(error.where(), fmt::format("rigid region '{}': {}", region.name, error.what()));
     }
   for (std::vector<int>& vertices : rigid_) std::sort(vertices.begin(), vertices.end());
+}
+
+void Binder::bind_lambda(const Selector& selector) {
+  try {
+    scene_.paints = paint_regions(shot_, scene_.weld.surface, selector);
+  } catch (const SelectionError& error) {
+    fail(error.where(), fmt::format("a region of 'lambda': {}", error.what()));
+  }
+}
+
+/// Takes what is attached out of the solve, and lets each of its vertices ride on the nearest that is solved.
+void Binder::bind_attachments(const Selector& selector) {
+  std::vector<std::vector<int>> riding(shot_.attachments.size());
+  std::vector<std::vector<int>> carriers(riding.size());
+  for (std::size_t k = 0; k < riding.size(); ++k) try {
+      const Attachment& attachment = shot_.attachments[k];
+      riding[k] = selector.select(attachment.select);
+      if (attachment.to) carriers[k] = selector.select(*attachment.to);
+      for (const int v : riding[k]) in_region_[index(v)] = false;
+    } catch (const SelectionError& error) {
+      fail(error.where(), fmt::format("'attach': {}", error.what()));
+    }
+  for (std::size_t k = 0; k < riding.size(); ++k) {
+    const Mark where = shot_.attachments[k].where;
+    for (const int v : riding[k]) {
+      const bool is_led = leader_[index(v)] != nobody;
+      const std::span<const int> around = neighbours_.of(v);
+      if (!is_led && std::none_of(around.begin(), around.end(), [&](int w) { return in_region_[index(w)]; }))
+        continue;
+      fail(where, is_led
+                      ? fmt::format("vertices of handle '{}' cannot be attached; they are led",
+                                    scene_.handles[index(leader_[index(v)])].handle.name)
+                      : "what is attached has to be a part by itself; this shares edges with what is solved");
+      break;
+    }
+    if (carriers[k].empty() && !shot_.attachments[k].to)
+      for (int v = 0; v < scene_.weld.surface.vertex_count(); ++v) carriers[k].push_back(v);
+    std::erase_if(carriers[k], [&](int v) { return !in_region_[index(v)]; });
+    if (carriers[k].empty() && errors_.empty())
+      fail(where, "nothing is solved of what 'attach' names under 'to'");
+    if (errors_.empty()) ride(riding[k], carriers[k]);
+  }
+}
+
+/// Each vertex on the cell of the carrier nearest to it.
+void Binder::ride(const std::vector<int>& vertices, const std::vector<int>& carriers) {
+  const Positions& positions = scene_.weld.surface.positions;
+  const Positions candidates = positions(carriers, Eigen::all);
+  std::map<int, std::vector<int>> riders;
+  for (const int v : vertices)
+    riders[carriers[index(nearest_vertex(candidates, positions.row(v).transpose()))]].push_back(v);
+  for (auto& [carrier, riding] : riders)
+    scene_.riders.push_back({std::move(riding), patch_around(carrier, 1)});
+}
+
+std::vector<int> Binder::patch_around(int vertex, int rings) const {
+  std::vector<int> patch{vertex};
+  std::set<int> seen{vertex};
+  for (std::size_t begin = 0, ring = 0; ring < index(rings); ++ring) {
+    const std::size_t end = patch.size();
+    for (; begin < end; ++begin)
+      for (const int w : neighbours_.of(patch[begin]))
+        if (seen.insert(w).second) patch.push_back(w);
+  }
+  return patch;
 }
 
 void Binder::refuse_shared_vertices() {
@@ -251,15 +326,7 @@ void Binder::attach(const std::vector<int>& vertices) {
   }
   if (carrier == nobody) return;
   constexpr int rings = 2;  // a wider patch turns more steadily than one cell, a much wider one lags behind
-  std::vector<int> patch{carrier};
-  std::set<int> seen{carrier};
-  for (std::size_t begin = 0, ring = 0; ring < rings; ++ring) {
-    const std::size_t end = patch.size();
-    for (; begin < end; ++begin)
-      for (const int w : neighbours_.of(patch[begin]))
-        if (seen.insert(w).second) patch.push_back(w);
-  }
-  scene_.riders.push_back({vertices, std::move(patch)});
+  scene_.riders.push_back({vertices, patch_around(carrier, rings)});
 }
 
 }  // namespace

@@ -17,7 +17,14 @@ struct SceneHandle {
   Vec3 pivot;
 };
 
-/// A component that nothing leads and that rides rigidly on the solved surface (`loose: attach`).
+/// A λ of its own for a part of the surface.
+struct LambdaPaint {
+  Track<double> lambda;
+  Eigen::VectorXd share;  // #V, 1 where it is all of λ
+};
+
+/// Vertices that are not solved and ride rigidly on the solved surface: a component that nothing leads
+/// (`loose: attach`), or those of `attach` that have one nearest vertex there.
 struct Rider {
   std::vector<int> vertices;  // of the surface
   std::vector<int> carriers;  // the patch of the solved surface whose rigid motion it follows
@@ -30,8 +37,9 @@ struct Scene {
   Constraints constraints;  // of all handles, in the order of `handles`, vertex by vertex; handles that are
                             // never active together may share vertices
   std::vector<Rider> riders;
-  int region_vertices = 0;  // surface vertices in the region of interest
-  int free_vertices = 0;    // of them, those that the solve ever moves
+  std::vector<LambdaPaint> paints;  // in the shot's order
+  int region_vertices = 0;          // surface vertices in the region of interest
+  int free_vertices = 0;            // of them, those that the solve ever moves
 };
 
 /// Resolves the shot on its mesh. Throws TimelineError with everything that does not fit: selections that

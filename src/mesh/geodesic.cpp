@@ -18,22 +18,45 @@ std::size_t index(int i) {
 using Entry = std::pair<double, int>;  // distance, vertex
 using Front = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
 
-/// Distance at c from the distances at a and b of its triangle, for a straight front from where the plane's
-/// virtual source would lie; the better of the two edges where the front does not cross ab.
-double march(const Vec3& a, const Vec3& b, const Vec3& c, double at_a, double at_b) {
+/// A triangle in the plane, its corner a at the origin and b at (base, 0), and the distances that they have.
+struct Unfolded {
+  double base = 0;
+  double at_a = 0, at_b = 0;
+  double c_x = 0, c_y = 0;
+
+  bool crosses(double x) const { return x >= 0 && x <= base; }
+};
+
+/// Distance at c for a straight front, as several sources send out together.
+double from_front(const Unfolded& triangle) {
+  const auto& [base, at_a, at_b, c_x, c_y] = triangle;
+  const double along = (at_b - at_a) / base, across = std::sqrt(std::max(0.0, 1 - along * along));
+  if (across <= 0 || !triangle.crosses(c_x - c_y * along / across)) return infinity;
+  return at_a + along * c_x + across * c_y;
+}
+
+/// Distance at c from where the one source of both distances lies, below ab.
+double from_point(const Unfolded& triangle) {
+  const auto& [base, at_a, at_b, c_x, c_y] = triangle;
+  const double source_x = (at_a * at_a - at_b * at_b + base * base) / (2 * base);
+  const double source_y = -std::sqrt(std::max(0.0, at_a * at_a - source_x * source_x));
+  if (c_y - source_y <= 0) return infinity;
+  const double crossing = source_x - source_y * (c_x - source_x) / (c_y - source_y);
+  return triangle.crosses(crossing) ? std::hypot(c_x - source_x, c_y - source_y) : infinity;
+}
+
+using FrontModel = double (*)(const Unfolded& triangle);
+
+/// Distance at c from the distances at a and b of its triangle; the better of the two edges where the way
+/// does not cross ab.
+double march(const Vec3& a, const Vec3& b, const Vec3& c, double at_a, double at_b, FrontModel front) {
   const double along_edges = std::min(at_a + (c - a).norm(), at_b + (c - b).norm());
   const Vec3 ab = b - a;
   const double base = ab.norm();
   if (base <= 0 || std::abs(at_a - at_b) > base) return along_edges;
-  // Unfold into the plane: a at the origin, b at (base, 0), the source below, c above.
-  const double source_x = (at_a * at_a - at_b * at_b + base * base) / (2 * base);
-  const double source_y = -std::sqrt(std::max(0.0, at_a * at_a - source_x * source_x));
-  const double c_x = (c - a).dot(ab) / base;
-  const double c_y = std::sqrt(std::max(0.0, (c - a).squaredNorm() - c_x * c_x));
-  if (c_y - source_y <= 0) return along_edges;
-  const double crossing = source_x - source_y * (c_x - source_x) / (c_y - source_y);
-  if (crossing < 0 || crossing > base) return along_edges;
-  return std::min(along_edges, std::hypot(c_x - source_x, c_y - source_y));
+  Unfolded triangle{base, at_a, at_b, (c - a).dot(ab) / base};
+  triangle.c_y = std::sqrt(std::max(0.0, (c - a).squaredNorm() - triangle.c_x * triangle.c_x));
+  return std::min(along_edges, front(triangle));
 }
 
 /// The triangles around each vertex, every fan of a polygon's corners, so that a quad has both diagonals.
@@ -96,6 +119,8 @@ std::vector<double> geodesic_distances(const Mesh& mesh, const std::vector<int>&
     distance[index(source)] = 0;
     front.emplace(0.0, source);
   }
+  // About one source the front is round; that of several is nearly straight, and no one point is behind it.
+  const FrontModel model = sources.size() == 1 ? from_point : from_front;
   const auto point = [&](int v) -> Vec3 { return mesh.positions.row(v).transpose(); };
   const auto lower = [&](int v, double candidate) {
     if (candidate >= distance[index(v)]) return;
@@ -107,8 +132,8 @@ std::vector<double> geodesic_distances(const Mesh& mesh, const std::vector<int>&
     front.pop();
     if (reached > distance[index(v)] || reached > limit) continue;
     for (const auto& [a, b] : opposite[index(v)]) {
-      lower(a, march(point(v), point(b), point(a), reached, distance[index(b)]));
-      lower(b, march(point(v), point(a), point(b), reached, distance[index(a)]));
+      lower(a, march(point(v), point(b), point(a), reached, distance[index(b)], model));
+      lower(b, march(point(v), point(a), point(b), reached, distance[index(a)], model));
     }
   }
   return distance;

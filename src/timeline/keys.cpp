@@ -17,7 +17,8 @@ constexpr KeySpec shot[] = {
     {"roi", "selection outside which everything is held at rest; default the whole mesh"},
     {"handles", "what the timeline leads, by name"},
     {"rigid", "selections that each move as one body, by name"},
-    {"attach", "vertices outside the solve that ride on a surface", Built::ignored},
+    {"attach",
+     "a list of {select, to}: vertices that are not solved and ride on the nearest cell of the surface"},
     {"clips", "{name: [from, to], …}: several named animations on one set of targets in the GLB"},
     {"lambda", "0 smooth to 1 rigid: a number, values by time, or keys with an easing; default 0.5"},
     {"ease", "the file's default easing"},
@@ -164,7 +165,16 @@ constexpr KeySpec curve[] = {
 constexpr KeySpec lambda[] = {
     {"keys", "values in 0..1 by time"},
     {"ease", "easing of the stretches"},
-    {"regions", "selections with a value of their own", Built::ignored},
+    {"regions", "a list of {select, value, feather}: parts of the surface with a value of their own"},
+};
+constexpr KeySpec region[] = {
+    {"select", "which vertices"},
+    {"value", "their lambda: a number, values by time, or {keys, ease}"},
+    {"feather", "how far outside it fades along the surface, mesh units or % of the diagonal; default 0"},
+};
+constexpr KeySpec attach[] = {
+    {"select", "vertices that are not solved"},
+    {"to", "the vertices that they ride on; default all that is solved"},
 };
 
 constexpr KeySpec solver[] = {
@@ -238,6 +248,8 @@ constinit const MappingSpec turn_keys{"{axis: z, angle: 90deg}", turn};
 constinit const MappingSpec key_keys{"{at: 2s, value: …, ease: hold}", key};
 constinit const MappingSpec curve_keys{"{polyline: [[0, 0, 0], [0, 1, 0]]}", curve};
 constinit const MappingSpec lambda_keys{"{keys: {0s: 0, 2s: 1}, ease: ease-in-out}", lambda};
+constinit const MappingSpec region_keys{"{select: {group: nose}, value: 1, feather: 2%}", region};
+constinit const MappingSpec attach_keys{"{select: {group: button}, to: {group: coat}}", attach};
 constinit const MappingSpec solver_keys{"{preset: paper}", solver};
 constinit const MappingSpec output_keys{"{gltf: bar.glb}", output};
 constinit const MappingSpec gltf_keys{"{path: bar.glb}", gltf};

@@ -46,6 +46,8 @@ extern const MappingSpec turn_keys;  // the value of a rotate key with an axis o
 extern const MappingSpec key_keys;   // one key of a track, in the list form
 extern const MappingSpec curve_keys;
 extern const MappingSpec lambda_keys;
+extern const MappingSpec region_keys;  // an item of lambda.regions
+extern const MappingSpec attach_keys;  // an item of attach
 extern const MappingSpec solver_keys;
 extern const MappingSpec output_keys;
 extern const MappingSpec gltf_keys;

@@ -10,6 +10,7 @@
 #include "flexkey/timeline/fields.h"
 #include "flexkey/timeline/overrides.h"
 #include "flexkey/timeline/placeholders.h"
+#include "flexkey/timeline/read_attachments.h"
 #include "flexkey/timeline/read_gltf_output.h"
 #include "flexkey/timeline/read_handle.h"
 #include "flexkey/timeline/read_lambda.h"
@@ -30,7 +31,6 @@ namespace {
 
 constexpr double most_fps = 1000;
 constexpr double most_frames = 100'000;
-constexpr double default_lambda = 0.5;
 
 void check_version(const Node& node, Scope& scope) {
   const std::optional<int> version = read_whole(node, scope);
@@ -89,8 +89,13 @@ Shot read_contents(const Fields& fields, Scope& scope) {
     shot.handles = read_handles(*node, scope);
   }
   if (const Node* node = fields.value("rigid")) shot.rigid = read_rigid(*node, scope);
+  if (const Node* node = fields.value("attach")) shot.attachments = read_attachments(*node, scope);
   shot.lambda = {{0, default_lambda, {}}};
-  if (const Node* node = fields.value("lambda")) shot.lambda = read_lambda(*node, scope);
+  if (const Node* node = fields.value("lambda")) {
+    Lambda lambda = read_lambda(*node, scope);
+    shot.lambda = std::move(lambda.keys);
+    shot.regions = std::move(lambda.regions);
+  }
   if (const Node* node = fields.value("solver")) shot.solver = read_solver(*node, scope);
   if (const Node* node = fields.value("output")) {
     Outputs outputs = read_output(*node, scope);

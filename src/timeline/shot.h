@@ -54,6 +54,21 @@ struct RigidSelection {
   Selection select;
 };
 
+/// A part of the surface with a λ of its own.
+struct LambdaRegion {
+  Mark where;
+  Selection select;
+  Track<double> lambda;  // never empty
+  Length feather;        // over which it goes over into what is around it; share of the diagonal
+};
+
+/// Vertices that are not solved and ride on the surface.
+struct Attachment {
+  Mark where;
+  Selection select;
+  std::optional<Selection> to;  // what they ride on; default: all that is solved
+};
+
 /// What the `solver` key says, its preset already applied. The terms are those of the deformer.
 struct SolverSettings {
   enum class Preset { quality, paper };
@@ -149,7 +164,9 @@ struct Shot {
   std::optional<Selection> roi;
   std::vector<Handle> handles;
   std::vector<RigidSelection> rigid;
-  Track<double> lambda;  // never empty: a constant is one key
+  std::vector<Attachment> attachments;
+  Track<double> lambda;               // never empty: a constant is one key
+  std::vector<LambdaRegion> regions;  // of later ones it is the value where they overlap
   SolverSettings solver;
   GltfOutput gltf;
   std::vector<CacheOutput> caches;

@@ -45,6 +45,32 @@ TEST(Geodesic, OnAPlaneItIsTheStraightLine) {
   }
 }
 
+TEST(Geodesic, FromAStraightEdgeItIsTheDistanceToIt) {
+  const int n = 12;
+  const Mesh mesh = meshes::grid(n, n);
+  std::vector<int> edge;
+  for (int v = 0; v <= n; ++v) edge.push_back(v);
+  const std::vector<double> distance = geodesic_distances(mesh, edge, no_limit);
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    EXPECT_NEAR(distance[static_cast<std::size_t>(v)], mesh.positions(v, 1), 1e-12) << "vertex " << v;
+}
+
+TEST(Geodesic, FromADiscItIsTheDistanceToIt) {
+  const int n = 60;
+  const Mesh mesh = meshes::grid(n, n);
+  const Vec3 centre(n / 2.0, n / 2.0, 0);
+  std::vector<int> disc;
+  const auto radius = [&](int v) { return (mesh.positions.row(v).transpose() - centre).norm(); };
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    if (radius(v) <= 10) disc.push_back(v);
+  const std::vector<double> distance = geodesic_distances(mesh, disc, no_limit);
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (radius(v) < 12) continue;
+    EXPECT_NEAR(distance[static_cast<std::size_t>(v)], radius(v) - 10, 0.5 + 0.03 * radius(v))
+        << "vertex " << v;
+  }
+}
+
 TEST(Geodesic, GoesOverAFoldAndNotThroughTheAir) {
   // A strip of quads bent into a U: its ends are near in space and far along the surface.
   std::vector<Vec3> points;
