@@ -9,7 +9,7 @@ constexpr KeySpec shot[] = {
     {"fps", "frames a second, above 0 and at most 1000; default 24"},
     {"duration", "the last frame's time; default the last key"},
     {"loop", "none, cycle or ping-pong; only none is built"},
-    {"vars", "named values", Built::ignored},
+    {"vars", "values by name; $name stands for one wherever a value does"},
     {"times", "named times"},
     {"points", "named positions, mesh units"},
     {"paths", "named curves"},

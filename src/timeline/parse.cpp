@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "flexkey/timeline/fields.h"
@@ -24,6 +26,7 @@
 #include "flexkey/timeline/read_track.h"
 #include "flexkey/timeline/scalar.h"
 #include "flexkey/timeline/source_text.h"
+#include "flexkey/timeline/variables.h"
 #include "flexkey/timeline/words.h"
 
 namespace flexkey {
@@ -108,14 +111,27 @@ Shot read_contents(const Fields& fields, Scope& scope) {
   return shot;
 }
 
-Shot read_shot(const Node& root, const Sources& sources, Findings& findings) {
+/// The variables that are one word, for placeholders.
+std::map<std::string, std::string> words_of(const Variables& variables) {
+  std::map<std::string, std::string> words;
+  for (const auto& [name, value] : variables)
+    if (value.kind == Node::Kind::scalar) words[name] = value.text;
+  return words;
+}
+
+Shot read_shot(Node root, const Sources& sources, Findings& findings) {
+  const std::size_t before = findings.errors().size();
+  const Variables variables = put_variables(root, findings);
+  if (findings.errors().size() > before) return {};  // a name in place of its value is wrong everywhere
   const std::optional<Fields> fields = read_fields(root, shot_keys, "", findings);
   if (!fields) return {};
   Scope scope(findings, sources);
+  scope.variables = words_of(variables);
   if (const Node* node = fields->value("version")) check_version(*node, scope);
   if (const Node* node = fields->value("loop")) check_loop(*node, scope);
   read_definitions(*fields, scope);
   Shot shot = read_contents(*fields, scope);
+  shot.variables = scope.variables;
   shot.fps = scope.fps;
   shot.duration = read_duration(*fields, scope);
   check_output_paths(shot, findings);
@@ -166,9 +182,9 @@ Diagnostic error_at(Mark where, const std::string& message, const std::vector<Ov
 ParsedShot parse_shot(std::string_view text, const std::string& file, const std::vector<Override>& overrides,
                       const Sources& sources) {
   Findings findings;
-  const std::optional<Node> root = read_tree(text, overrides, findings);
+  std::optional<Node> root = read_tree(text, overrides, findings);
   ParsedShot parsed;
-  if (root) parsed.shot = read_shot(*root, sources, findings);
+  if (root) parsed.shot = read_shot(std::move(*root), sources, findings);
   if (findings.has_errors()) throw TimelineError(file, with_sources(findings.errors(), overrides));
   parsed.shot.file = file;
   parsed.shot.name = name_of(file);

@@ -43,7 +43,8 @@ std::vector<Piece> pieces_of(std::string_view path) {
 std::optional<std::string> value_of(std::string_view placeholder, const Shot& shot) {
   if (placeholder == "<shot>") return shot.name;
   if (placeholder == "<lambda>" && shot.lambda.size() == 1) return number_text(shot.lambda.front().value);
-  return std::nullopt;
+  const auto variable = shot.variables.find(std::string(placeholder.substr(1, placeholder.size() - 2)));
+  return variable != shot.variables.end() ? std::optional(variable->second) : std::nullopt;
 }
 
 /// An output's path where the timeline gives it.
@@ -52,11 +53,14 @@ struct PathInFile {
   Mark where;
 };
 
-void report_unknown(std::string_view placeholder, const PathInFile& output, Findings& findings) {
-  const std::vector<std::string> known = {"<shot>", "<lambda>"};
-  findings.error(output.where,
-                 fmt::format("unknown placeholder '{}' in output path '{}'{}", placeholder, output.path,
-                             findings.proposal(placeholder, known, "; known are <shot> and <lambda>")));
+void report_unknown(std::string_view placeholder, const PathInFile& output, const Shot& shot,
+                    Findings& findings) {
+  std::vector<std::string> known = {"<shot>", "<lambda>"};
+  for (const auto& [name, value] : shot.variables) known.push_back(fmt::format("<{}>", name));
+  const std::string all =
+      fmt::format("; known are {} and {}", fmt::join(known.begin(), known.end() - 1, ", "), known.back());
+  findings.error(output.where, fmt::format("unknown placeholder '{}' in output path '{}'{}", placeholder,
+                                           output.path, findings.proposal(placeholder, known, all)));
 }
 
 void check_output_path(const PathInFile& output, const Shot& shot, Findings& findings) {
@@ -64,7 +68,8 @@ void check_output_path(const PathInFile& output, const Shot& shot, Findings& fin
   for (const Piece& piece : pieces_of(output.path)) {
     if (!piece.is_placeholder) continue;
     names_lambda = names_lambda || piece.text == "<lambda>";
-    if (piece.text != "<shot>" && piece.text != "<lambda>") report_unknown(piece.text, output, findings);
+    if (piece.text != "<lambda>" && !value_of(piece.text, shot))
+      report_unknown(piece.text, output, shot, findings);
   }
   const std::vector<double>& swept = shot.sweep.lambda;
   if (swept.size() > 1 && !output.path.empty() && !names_lambda) {

@@ -13,9 +13,13 @@
 namespace flexkey {
 namespace {
 
-/// The text of a scalar; an error that says what belongs there for anything else.
+/// The text of a scalar, or of the variable that it names; an error that says what belongs there for anything
+/// else.
 std::optional<std::string_view> text_of(const Node& node, std::string_view wanted, Scope& scope) {
-  if (node.kind == Node::Kind::scalar) return node.text;
+  if (node.kind == Node::Kind::scalar) {
+    const auto variable = scope.variables.find(node.text);
+    return variable != scope.variables.end() ? variable->second : node.text;
+  }
   scope.findings.error(node.where, fmt::format("{} belongs here, not {}", wanted, describe(node)));
   return std::nullopt;
 }

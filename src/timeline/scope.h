@@ -27,7 +27,8 @@ struct Scope {
   Findings& findings;
   const Sources& sources;
   double fps = 24;
-  Easing ease;  // the file's default
+  Easing ease;                                   // the file's default
+  std::map<std::string, std::string> variables;  // those that are one word
   Names<double> times;
   Names<Vec3> points;
   Names<Curve> paths;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -159,6 +160,7 @@ struct Shot {
   std::string name;  // the file's name without folder and extension
   std::string file;  // as given; "-" for standard input
   MeshSource mesh;
+  std::map<std::string, std::string> variables;  // those that are one word, for placeholders
   double fps = 24;
   double duration = 0;  // seconds; frames are k = 0 .. floor(duration * fps + 1e-6)
   std::optional<Selection> roi;

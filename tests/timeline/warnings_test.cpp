@@ -15,10 +15,6 @@ std::string ignored(const std::string& place, const std::string& key) {
   return line.append(place).append(": warning: '").append(key).append("' is not built yet and is ignored");
 }
 
-TEST(Warnings, OfTopLevelKeys) {
-  EXPECT_THAT(warnings_of(with_base("vars: [1, [2]]\n")), ElementsAre(ignored("4:1", "vars")));
-}
-
 TEST(Warnings, OfMeshAndLambda) {
   const std::string text =
       "mesh: {file: a.glb, nodes: all, up: z}\nhandles: {base: {select: {group: a}}}\n"

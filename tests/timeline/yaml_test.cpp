@@ -173,9 +173,11 @@ TEST(Anchors, AMistakeInAnAliasIsReportedOnce) {
 }
 
 TEST(Bounds, NestingIsAtMost64Deep) {
-  const auto nested = [](int depth) { return "vars: " + repeated("[", depth) + repeated("]", depth) + "\n"; };
-  EXPECT_EQ(errors_of(with_base(nested(63))), "");
-  EXPECT_EQ(failure_of(with_base(nested(64))), "4:70: error: values are nested more than 64 deep");
+  const auto nested = [](int depth) {
+    return "vars: {a: " + repeated("[", depth) + repeated("]", depth) + "}\n";
+  };
+  EXPECT_EQ(errors_of(with_base(nested(62))), "");
+  EXPECT_EQ(failure_of(with_base(nested(63))), "4:73: error: values are nested more than 64 deep");
   for (const char* opening : {"[", "{a: ", "- ", "? ", "[? "}) {
     EXPECT_THAT(failure_of(repeated(opening, 100'000)), HasSubstr("nested more than 64 deep")) << opening;
   }
@@ -208,8 +210,8 @@ TEST(Bounds, MergeBombsToo) {
 }
 
 TEST(Bounds, ValuesAndBytes) {
-  EXPECT_EQ(errors_of(with_base("vars: [" + repeated("1,", 99'000) + "]\n")), "");
-  EXPECT_THAT(failure_of(with_base("vars: [" + repeated("1,", 100'000) + "]\n")),
+  EXPECT_EQ(errors_of(with_base("vars: {a: [" + repeated("1,", 99'000) + "]}\n")), "");
+  EXPECT_THAT(failure_of(with_base("vars: {a: [" + repeated("1,", 100'000) + "]}\n")),
               HasSubstr("error: the timeline has more than 100000 values"));
   EXPECT_EQ(failure_of(std::string((4 << 20) + 1, ' ')), "1:1: error: the timeline is larger than 4 MiB");
 }
