@@ -28,6 +28,14 @@ class Anderson {
   /// 0 while the window is empty.
   double stretch() const { return stretch_; }
 
+  /// What the next map is turned to with, for an archive.
+  template <MaybeConst<Anderson> Self>
+  static auto members_of(Self& self) {
+    return std::tie(self.history_);
+  }
+  /// Whether a loaded one is sound and of iterates with so many rows.
+  bool fits(Eigen::Index rows) const { return history_.fits(rows); }
+
  private:
   History history_;
   double stretch_ = 0;

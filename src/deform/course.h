@@ -22,4 +22,10 @@ struct Course {
   bool slipped = false;                 // see has_slipped
 };
 
+template <MaybeConst<Course> Self>
+auto members_of(Self& course) {
+  auto& [deviations, recurrence, pace, window, unseen, winding, handle_winding, slipped] = course;
+  return std::tie(deviations, recurrence, pace, window, unseen, winding, handle_winding, slipped);
+}
+
 }  // namespace flexkey

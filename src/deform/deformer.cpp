@@ -184,6 +184,21 @@ Pose Deformer::adopt(const Pose& pose) const {
   return fitted(state_->problem, std::move(start));
 }
 
+bool Deformer::could_have_solved(const Pose& pose) const {
+  const auto& [rest, handles, handle_places, problem] = *state_;
+  const auto none_or = [](const auto& matrix, Eigen::Index rows) {
+    return matrix.rows() == 0 || matrix.rows() == rows;
+  };
+  const Course& course = pose.course;
+  return pose.positions.rows() == rest.rows() && pose.scales.rows() == rest.rows() &&
+         static_cast<Eigen::Index>(pose.rotations.size()) == rest.rows() &&
+         none_or(pose.lambda, rest.rows()) &&
+         pose.targets.rows() == static_cast<Eigen::Index>(handles.size()) &&
+         none_or(course.deviations, problem.patch.fitted) && none_or(course.winding, problem.patch.fitted) &&
+         course.handle_winding.rows() == (course.winding.rows() == 0 ? 0 : problem.harmonic.cols()) &&
+         course.window.fits(problem.patch.free);
+}
+
 std::size_t Deformer::bytes() const {
   const auto& [rest, handles, handle_places, problem] = *state_;
   constexpr std::size_t edge =

@@ -48,6 +48,12 @@ struct Pose {
   Course course;  // belongs to the deformer that solved last; `{}` for another
 };
 
+template <MaybeConst<Pose> Self>
+auto members_of(Self& pose) {
+  auto& [positions, rotations, scales, targets, lambda, converged, started, course] = pose;
+  return std::tie(positions, rotations, scales, targets, lambda, converged, started, course);
+}
+
 struct SolveReport {
   int solves = 0;       // global solves spent
   double step = 0;      // the last step's largest vertex motion, as a share of the diagonal
@@ -83,6 +89,10 @@ class Deformer {
   /// A pose of this mesh under other constraints as a start under these: its shape stays, with R_i and S_i
   /// fitted to it here, and what it remembers of its handles is dropped.
   Pose adopt(const Pose& pose) const;
+
+  /// Whether a pose that comes from elsewhere, as from a file, has the sizes of one that this deformer solved
+  /// last or that is at rest.
+  bool could_have_solved(const Pose& pose) const;
 
   /// Of memory held for the solve, but for small change.
   std::size_t bytes() const;

@@ -101,6 +101,10 @@ FLEXKEY_CLONES void mix_chunk(const Chunk& at, const Eigen::VectorXd& gamma, int
   sums[1] = longest_row(left, size);
 }
 
+Eigen::Index chunks_of(Eigen::Index numbers) {
+  return (numbers + chunk - 1) / chunk;
+}
+
 void take_chunks(Eigen::VectorXd& column, Eigen::Index chunks) {
   if (column.size() == 0) column = Eigen::VectorXd::Zero(chunks * chunk);
 }
@@ -111,15 +115,15 @@ History::History(int window)
     : slots_(window),
       f_change_(window),
       g_change_(window),
-      products_(window, window),
+      products_(Eigen::MatrixXd::Zero(window, window)),
       along_(window),
-      way_(window) {
+      way_(Eigen::VectorXd::Zero(window)) {
   std::iota(slots_.begin(), slots_.end(), 0);
 }
 
 void History::add(const Positions& x, const Positions& f) {
   const int window = static_cast<int>(slots_.size());
-  const Eigen::Index chunks = (x.size() + chunk - 1) / chunk;
+  const Eigen::Index chunks = chunks_of(x.size());
   const bool grew = follows_;
   if (grew) {
     differences_ = std::min(differences_ + 1, window);
@@ -164,6 +168,25 @@ const Mixture& History::mix(const Eigen::VectorXd& gamma) {
   mixture_.jump = std::sqrt(shares_.row(0).maxCoeff());
   mixture_.left = std::sqrt(shares_.row(1).maxCoeff());
   return mixture_;
+}
+
+bool History::fits(Eigen::Index rows) const {
+  const std::size_t window = static_cast<std::size_t>(along_.size());
+  std::vector<int> places(window);
+  std::iota(places.begin(), places.end(), 0);
+  const bool same_window = f_change_.size() == window && g_change_.size() == window &&
+                           products_.rows() == along_.size() && products_.cols() == along_.size() &&
+                           way_.size() == along_.size();
+  if (!same_window || differences_ < 0 || differences_ > along_.size() ||
+      !std::is_permutation(slots_.begin(), slots_.end(), places.begin(), places.end()))
+    return false;
+  const Eigen::Index size = chunks_of(3 * rows) * chunk;
+  for (std::size_t age = 0; age < window; ++age) {
+    const Eigen::VectorXd &f = f_change_[slots_[age]], &g = g_change_[slots_[age]];
+    const bool is_unused = static_cast<int>(age) >= differences_ && f.size() == 0 && g.size() == 0;
+    if (!is_unused && (f.size() != size || g.size() != size)) return false;
+  }
+  return true;
 }
 
 }  // namespace flexkey

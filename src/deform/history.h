@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <tuple>
 #include <vector>
 
+#include "flexkey/mesh/members.h"
 #include "flexkey/mesh/types.h"
 
 namespace flexkey {
@@ -37,6 +39,15 @@ class History {
 
   /// gamma: a number a difference; valid until the next call.
   const Mixture& mix(const Eigen::VectorXd& gamma);
+
+  /// What outlives a sequence (see `part`), for an archive.
+  template <MaybeConst<History> Self>
+  static auto members_of(Self& self) {
+    return std::tie(self.slots_, self.differences_, self.f_change_, self.g_change_, self.products_,
+                    self.way_);
+  }
+  /// Whether a loaded one is sound and of iterates with so many rows.
+  bool fits(Eigen::Index rows) const;
 
  private:
   void sum_up(bool grew);
