@@ -1,94 +1,24 @@
 #include "flexkey/animate/animate.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
+#include "flexkey/animate/deform_options.h"
+#include "flexkey/animate/file_positions.h"
 #include "flexkey/animate/handle_matrices.h"
 #include "flexkey/animate/handle_states.h"
-#include "flexkey/animate/lambda_field.h"
-#include "flexkey/animate/passage.h"
+#include "flexkey/animate/legs.h"
+#include "flexkey/animate/waypoint.h"
 #include "flexkey/timeline/sampling.h"
 
 namespace flexkey {
 namespace {
 
-DeformOptions deform_options(const SolverSettings& solver) {
-  DeformOptions options;
-  switch (solver.system) {
-    case SolverSettings::System::least_squares:
-      options.system = System::least_squares;
-      break;
-    case SolverSettings::System::direct:
-      options.system = System::direct;
-      break;
-  }
-  switch (solver.local_scale) {
-    case SolverSettings::LocalScale::axis:
-      options.local_scale = LocalScale::axis;
-      break;
-    case SolverSettings::LocalScale::uniform:
-      options.local_scale = LocalScale::uniform;
-      break;
-    case SolverSettings::LocalScale::none:
-      options.local_scale = LocalScale::none;
-      break;
-  }
-  switch (solver.weights) {
-    case SolverSettings::Weights::clamped:
-      options.weights = Weights::clamped;
-      break;
-    case SolverSettings::Weights::cotangent:
-      options.weights = Weights::cotangent;
-      break;
-    case SolverSettings::Weights::intrinsic_delaunay:
-      options.weights = Weights::intrinsic_delaunay;
-      break;
-    case SolverSettings::Weights::uniform:
-      options.weights = Weights::uniform;
-      break;
-  }
-  switch (solver.cell) {
-    case SolverSettings::Cell::spokes:
-      options.cell = Cell::spokes;
-      break;
-    case SolverSettings::Cell::spokes_and_rims:
-      options.cell = Cell::spokes_and_rims;
-      break;
-  }
-  options.area_weighting = solver.area_weighting;
-  options.epsilon = solver.epsilon;
-  options.iterations = solver.iterations;
-  options.tolerance = solver.tolerance;
-  options.predict = solver.predict;
-  options.accelerate = solver.accelerate;
-  options.fixed_count = solver.preset == SolverSettings::Preset::paper;
-  return options;
-}
-
-/// The rigid motion that best takes a patch from rest to where it is (Kabsch).
-Eigen::Isometry3d rigid_motion(const Positions& rest, const Positions& posed) {
-  if (rest == posed) return Eigen::Isometry3d::Identity();  // to the last bit, so that rest stays rest
-  return Eigen::Isometry3d(Eigen::umeyama(rest.transpose(), posed.transpose(), false));
-}
-
-/// The pose's positions with what rides on it, given back to the file's vertices.
-Positions file_positions(const Scene& scene, const Pose& pose) {
-  const Positions& rest = scene.weld.surface.positions;
-  Positions positions = pose.positions;
-  for (const Rider& rider : scene.riders) {
-    const Eigen::Isometry3d motion =
-        rigid_motion(rest(rider.carriers, Eigen::all), pose.positions(rider.carriers, Eigen::all));
-    for (const int v : rider.vertices)
-      positions.row(v) = (motion * Vec3(rest.row(v).transpose())).transpose();
-  }
-  return scatter(scene.weld, positions);
-}
-
 /// A take on its way.
 struct Running {
   const Take& take;
-  Passage passage;
-  std::optional<Passage> without_fading;  // while handles fade
+  int count = 0;               // of the frames to go through
+  int taken = 0;               // of them, those that were solved before
+  std::optional<Waypoint> at;  // none: no more are left to solve
   Clip clip;
 };
 
@@ -104,12 +34,6 @@ HandleStates faded(const Scene& scene, HandleStates states, const Pose& without_
   return states;
 }
 
-/// The next leg of a take; set: active_at or firm_at.
-Leg leg_of(const Take& take, const ActiveSet& active, double time) {
-  return {take.scene, active, sample_states(take.scene, time), lambda_at(take.shot, take.scene, time),
-          take.shot.solver.max_step};
-}
-
 /// While some handles fade, a second passage runs without them, and they go to x + a (target − x), x where
 /// their vertices are on it and a of sample_grip.
 std::vector<SolveReport> advance_without_fading(const std::vector<Running*>& runs, int frame,
@@ -121,13 +45,14 @@ std::vector<SolveReport> advance_without_fading(const std::vector<Running*>& run
     Running& run = *runs[k];
     const double time = frame / run.take.shot.fps;
     const ActiveSet firm = firm_at(run.take.scene, time);
+    std::optional<Passage>& without_fading = run.at->without_fading;
     if (firm == active_at(run.take.scene, time)) {
-      run.without_fading.reset();
+      without_fading.reset();
       continue;
     }
-    if (!run.without_fading) run.without_fading = run.passage;
-    passages.push_back(&*run.without_fading);
-    legs.push_back(leg_of(run.take, firm, time));
+    if (!without_fading) without_fading = run.at->passage;
+    passages.push_back(&*without_fading);
+    legs.push_back(leg_of(run.take, firm, frame));
     places.push_back(k);
   }
   const std::vector<SolveReport> solved = advance(passages, legs, cache);
@@ -143,15 +68,16 @@ std::vector<SolveReport> solve_frame(const std::vector<Running*>& runs, int fram
   std::vector<Leg> legs;
   for (Running* run : runs) {
     const double time = frame / run->take.shot.fps;
-    passages.push_back(&run->passage);
-    legs.push_back(leg_of(run->take, active_at(run->take.scene, time), time));
-    if (run->without_fading)
-      legs.back().now = faded(run->take.scene, std::move(legs.back().now), run->without_fading->pose, time);
+    passages.push_back(&run->at->passage);
+    legs.push_back(leg_of(run->take, active_at(run->take.scene, time), frame));
+    if (const std::optional<Passage>& without_fading = run->at->without_fading)
+      legs.back().now = faded(run->take.scene, std::move(legs.back().now), without_fading->pose, time);
   }
   std::vector<SolveReport> reports = advance(passages, legs, cache);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     reports[k].solves += aside[k].solves;
     reports[k].converged = reports[k].converged && aside[k].converged;
+    runs[k]->at->next = frame + 1;
   }
   return reports;
 }
@@ -166,10 +92,25 @@ void require_one_batch(std::span<const Take> takes) {
   }
 }
 
-std::vector<Running> start_all(std::span<const Take> takes, const Mesh& mesh, DeformerCache& cache) {
+/// Where a take starts: at rest, or behind the frames that were solved before.
+Running start_of(const Take& take, int count, DeformerCache& cache) {
+  Running run{take, count, 0, std::nullopt, {}};
+  if (take.before != nullptr && take.before->frames() >= count) {
+    run.taken = count;
+    return run;
+  }
+  if (take.before != nullptr) run.at = take.before->waypoint(cache);
+  if (!run.at) run.at = first_waypoint(take.scene, cache);
+  run.taken = run.at->next;
+  return run;
+}
+
+std::vector<Running> start_all(std::span<const Take> takes, const Mesh& mesh, const std::vector<int>& wanted,
+                               DeformerCache& cache) {
   std::vector<Running> runs;
   for (const Take& take : takes) {
-    runs.push_back({take, start_of(take.scene, cache), std::nullopt, {}});
+    const int count = take.shot.frame_count();
+    runs.push_back(start_of(take, wanted.empty() ? count : std::min(count, wanted.back() + 1), cache));
     runs.back().clip.name = take.shot.name;
     runs.back().clip.mesh = mesh;
     runs.back().clip.fps = take.shot.fps;
@@ -177,23 +118,57 @@ std::vector<Running> start_all(std::span<const Take> takes, const Mesh& mesh, De
   return runs;
 }
 
+/// Who hears of the frames.
+struct Audience {
+  const AnimateHooks& hooks;
+  const std::vector<int>& wanted;  // empty: all
+
+  bool wants(int frame) const {
+    return wanted.empty() || std::binary_search(wanted.begin(), wanted.end(), frame);
+  }
+};
+
 /// Passes a wanted frame on and keeps what is to be kept of it.
-void deliver(Running& run, std::size_t take, const FrameReport& report, const AnimateHooks& hooks) {
-  const Scene& scene = run.take.scene;
-  Positions positions = file_positions(scene, run.passage.pose);
+void deliver(Running& run, std::size_t take, const FrameReport& report, Positions positions,
+             const AnimateHooks& hooks) {
   if (hooks.on_wanted) {
-    const std::vector<Eigen::Matrix4d> handles = handle_matrices(scene, report.frame / run.take.shot.fps);
+    const std::vector<Eigen::Matrix4d> handles =
+        handle_matrices(run.take.scene, report.frame / run.take.shot.fps);
     hooks.on_wanted(take, {report, positions, handles});
   }
   if (hooks.keep == Keep::frames) run.clip.frames.push_back(std::move(positions));
   run.clip.reports.push_back(report);
 }
 
-int last_frame(std::span<const Take> takes, const std::vector<int>& wanted) {
-  if (!wanted.empty()) return wanted.back();
-  int count = 0;
-  for (const Take& take : takes) count = std::max(count, take.shot.frame_count());
-  return count - 1;
+/// The frames that were solved before.
+void deliver_taken(Running& run, std::size_t take, const Audience& audience) {
+  for (int frame = 0; frame < run.taken; ++frame) {
+    if (audience.hooks.stop && audience.hooks.stop()) return;
+    const FrameReport& report = run.take.before->report(frame);
+    if (audience.wants(frame)) deliver(run, take, report, run.take.before->positions(frame), audience.hooks);
+    if (audience.hooks.on_frame) audience.hooks.on_frame(take, report);
+  }
+}
+
+void deliver_solved(Running& run, std::size_t take, const SolveReport& solved, const Audience& audience) {
+  const auto& [hooks, wanted] = audience;
+  const int frame = run.at->next - 1;
+  const double lambda = sample_lambda(run.take.shot.lambda, frame / run.take.shot.fps);
+  const FrameReport report{frame, lambda, solved.solves, solved.estimate, solved.converged, solved.slipped};
+  if (hooks.on_solved || audience.wants(frame)) {
+    Positions positions = file_positions(run.take.scene, run.at->passage.pose);
+    if (hooks.on_solved) hooks.on_solved(take, {report, positions, *run.at});
+    if (audience.wants(frame)) deliver(run, take, report, std::move(positions), hooks);
+  }
+  if (hooks.on_frame) hooks.on_frame(take, report);
+}
+
+/// Those that have this frame still to solve.
+std::vector<Running*> running_at(std::vector<Running>& runs, int frame) {
+  std::vector<Running*> running;
+  for (Running& run : runs)
+    if (run.at && run.at->next == frame && frame < run.count) running.push_back(&run);
+  return running;
 }
 
 }  // namespace
@@ -208,28 +183,23 @@ std::vector<Clip> animate(std::span<const Take> takes, const Mesh& mesh, const s
   require_one_batch(takes);
   const Take& first = takes.front();
   DeformerCache cache(first.scene, deform_options(first.shot.solver));
-  std::vector<Running> runs = start_all(takes, mesh, cache);
-  const int last = last_frame(takes, wanted);
-  for (int frame = 0; frame <= last; ++frame) {
-    if (hooks.stop && hooks.stop()) break;
-    std::vector<Running*> running;
-    for (Running& run : runs)
-      if (frame < run.take.shot.frame_count()) running.push_back(&run);
-    const std::vector<SolveReport> solved = solve_frame(running, frame, cache);
-    const bool is_wanted = wanted.empty() || std::binary_search(wanted.begin(), wanted.end(), frame);
-    for (std::size_t k = 0; k < running.size(); ++k) {
-      Running& run = *running[k];
-      const FrameReport report{frame,
-                               sample_lambda(run.take.shot.lambda, frame / run.take.shot.fps),
-                               solved[k].solves,
-                               solved[k].estimate,
-                               solved[k].converged,
-                               solved[k].slipped};
-      const auto take = static_cast<std::size_t>(&run - runs.data());
-      if (is_wanted) deliver(run, take, report, hooks);
-      if (hooks.on_frame) hooks.on_frame(take, report);
-    }
+  std::vector<Running> runs = start_all(takes, mesh, wanted, cache);
+  const Audience audience{hooks, wanted};
+  int last = 0;
+  for (std::size_t take = 0; take < runs.size(); ++take) {
+    deliver_taken(runs[take], take, audience);
+    last = std::max(last, runs[take].count - 1);
   }
+  for (int frame = 0; frame <= last; ++frame) {
+    const std::vector<Running*> running = running_at(runs, frame);
+    if (running.empty()) continue;
+    if (hooks.stop && hooks.stop()) break;
+    const std::vector<SolveReport> solved = solve_frame(running, frame, cache);
+    for (std::size_t k = 0; k < running.size(); ++k)
+      deliver_solved(*running[k], static_cast<std::size_t>(running[k] - runs.data()), solved[k], audience);
+  }
+  for (std::size_t take = 0; take < runs.size(); ++take)
+    if (hooks.on_end && runs[take].at) hooks.on_end(take, *runs[take].at);
   std::vector<Clip> clips;
   for (Running& run : runs) clips.push_back(std::move(run.clip));
   return clips;

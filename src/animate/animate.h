@@ -6,14 +6,16 @@
 
 #include "flexkey/animate/clip.h"
 #include "flexkey/animate/scene.h"
+#include "flexkey/animate/take_state.h"
 #include "flexkey/timeline/shot.h"
 
 namespace flexkey {
 
-/// One shot to solve, bound to its mesh.
-struct Take {
-  const Shot& shot;
-  const Scene& scene;
+/// What is known when a frame is solved; good for the length of a call.
+struct SolvedStep {
+  const FrameReport& report;
+  const Positions& positions;  // #V x 3, vertices in the file's order, file units
+  const Waypoint& waypoint;    // which the next frame starts from
 };
 
 /// Whether the frames stay in memory, 24 bytes a vertex each, or only pass by `on_wanted`.
@@ -21,14 +23,19 @@ enum class Keep { frames, nothing };
 
 /// What a caller may hear of a running solve.
 struct AnimateHooks {
-  std::function<void(std::size_t take, const FrameReport&)> on_frame = {};   // after each solved frame
+  std::function<void(std::size_t take, const FrameReport&)> on_frame = {};   // after each frame, those that
+                                                                             // were solved before included
   std::function<void(std::size_t take, const SolvedFrame&)> on_wanted = {};  // after each of `wanted`
+  std::function<void(std::size_t take, const SolvedStep&)> on_solved = {};   // after each frame solved now
+  std::function<void(std::size_t take, const Waypoint&)> on_end =
+      {};                           // of a take that was solved on, stopped or not
   std::function<bool()> stop = {};  // true ends the solve after the current frame
   Keep keep = Keep::frames;         // with `nothing` the clips have reports and no frames
 };
 
 /// Solves the shot from frame 0, each frame starting from the one before, and keeps the frames of `wanted`
-/// (increasing; all frames where it is empty). The clip ends early where `stop` said so.
+/// (increasing; all frames where it is empty). The clip ends early where `stop` said so. Frames of
+/// Take::before come from there, and the solve goes on behind them to the same bytes.
 /// Throws DeformError if the surface cannot be solved.
 Clip animate(const Shot& shot, const Mesh& mesh, const Scene& scene, const std::vector<int>& wanted = {},
              const AnimateHooks& hooks = {});

@@ -7,11 +7,11 @@
 namespace flexkey {
 
 DeformerCache::DeformerCache(const Scene& scene, const DeformOptions& options, std::size_t bound)
-    : scene_(scene), options_(options), bound_(bound) {
-  const bool changes = std::any_of(scene.handles.begin(), scene.handles.end(),
-                                   [](const SceneHandle& each) { return !each.handle.active.empty(); });
-  if (changes) order_ = surface_order(scene.weld.surface, options);
-}
+    : scene_(scene),
+      options_(options),
+      bound_(bound),
+      changes_(std::any_of(scene.handles.begin(), scene.handles.end(),
+                           [](const SceneHandle& each) { return !each.handle.active.empty(); })) {}
 
 std::shared_ptr<const Deformer> DeformerCache::of(const ActiveSet& active) {
   const auto found = std::find_if(entries_.begin(), entries_.end(),
@@ -19,6 +19,7 @@ std::shared_ptr<const Deformer> DeformerCache::of(const ActiveSet& active) {
   if (found != entries_.end()) {
     entries_.splice(entries_.begin(), entries_, found);
   } else {
+    if (changes_ && order_.empty()) order_ = surface_order(scene_.weld.surface, options_);
     entries_.push_front({active, std::make_shared<Deformer>(
                                      scene_.weld.surface, constraints_of(scene_, active), options_, order_)});
     let_go();

@@ -34,6 +34,7 @@ class DeformerCache {
   const Scene& scene_;
   DeformOptions options_;
   std::size_t bound_;
+  bool changes_;              // whether handles take hold and let go
   std::vector<int> order_;    // see surface_order; empty where one set serves the whole shot
   std::list<Entry> entries_;  // the one last asked for first
 };
