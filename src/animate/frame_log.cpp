@@ -161,6 +161,12 @@ void FrameLog::add(const LoggedFrame& frame, const Positions& positions) {
   frames_.push_back(frame);
 }
 
+void FrameLog::remove() {
+  unlink(path_.c_str());
+  file_ = Descriptor();  // what is open keeps its room
+  frames_.clear();
+}
+
 void FrameLog::sync() const {
   if (fdatasync(file_.number()) != 0 && errno != EINVAL && errno != EROFS) fail();
 }

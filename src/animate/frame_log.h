@@ -48,6 +48,8 @@ class FrameLog {
   void keep(int count);
   /// Adds the next frame, after `keep`. Throws OutputError, and leaves no part of it.
   void add(const LoggedFrame& frame, const Positions& positions);
+  /// Gives back its room.
+  void remove();
   /// Waits until the disk has all of it. Throws OutputError.
   void sync() const;
 

@@ -61,10 +61,6 @@ void TakeState::find_checkpoint() {
   if (head.inputs == inputs_ && is_there && head.motion == motion_before(head.next)) next_ = head.next;
 }
 
-bool TakeState::is_complete() const {
-  return frames_ >= wanted_;
-}
-
 std::optional<Waypoint> TakeState::waypoint(DeformerCache& cache) const {
   if (next_ == 0) return std::nullopt;
   const std::unique_ptr<const Checkpoint> found = read_checkpoint(checkpoint_path());
@@ -90,7 +86,7 @@ void TakeState::make_folder() const {
 }
 
 bool TakeState::wants_checkpoint() const {
-  constexpr std::chrono::seconds least(1);
+  constexpr std::chrono::milliseconds least(250);
   constexpr int share = 20;  // of the time that a checkpoint takes
   return Clock::now() - saved_ >= std::max<Clock::duration>(least, share * cost_);
 }
@@ -107,8 +103,9 @@ void TakeState::save_checkpoint(const Waypoint& waypoint) {
 
 void TakeState::remove() {
   std::error_code ignored;  // what cannot be removed is not taken for whole either
-  std::filesystem::remove(folder_ / "frames", ignored);
   std::filesystem::remove(checkpoint_path(), ignored);
+  log_.remove();
+  frames_ = 0;
 }
 
 Digest TakeState::motion_before(int frame) const {

@@ -34,7 +34,10 @@ class TakeState {
   const std::string& fault() const { return fault_; }
 
   /// Whether they are all that is wanted.
-  bool is_complete() const;
+  bool is_complete() const { return frames_ >= wanted_; }
+  /// The frame from which a solve goes on.
+  int next() const { return is_complete() ? wanted_ : next_; }
+  const std::filesystem::path& folder() const { return folder_; }
 
   /// Where the solve goes on, at most behind the frames that are there; nothing: at rest. Throws DeformError
   /// if the surface cannot be solved.
