@@ -7,6 +7,12 @@ namespace flexkey::cli {
 /// `flexkey animate`: solves the shot and writes what it names. Returns an ExitCode.
 int run_animate(const ShotOptions& options);
 
+/// `flexkey solve`: solves the shot into its state. Returns an ExitCode.
+int run_solve(const ShotOptions& options);
+
+/// `flexkey export`: writes the files that the shot names, from its state. Returns an ExitCode.
+int run_export(const ShotOptions& options);
+
 /// `flexkey check`: parses, loads, resolves every selection, prints a summary. Returns an ExitCode.
 int run_check(const ShotOptions& options);
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -80,9 +81,8 @@ int guarded(Command command) {
 
 /// What is wrong with the command's name, or nothing; flags and no name at all are left to CLI11.
 std::string unknown_command(int argc, char** argv) {
-  const std::vector<std::string> built{"animate", "check"};
-  const std::vector<std::string> planned{"solve", "export", "render", "inspect",
-                                         "init",  "pick",   "watch",  "schema"};
+  const std::vector<std::string> built{"animate", "solve", "export", "check"};
+  const std::vector<std::string> planned{"render", "inspect", "init", "pick", "watch", "schema"};
   if (argc < 2 || argv[1][0] == '-') return {};
   const std::string name = argv[1];
   if (std::find(built.begin(), built.end(), name) != built.end()) return {};
@@ -105,6 +105,19 @@ int main(int argc, char** argv) {
   add_run_options(*animate, options);
   animate->footer("Example:\n  flexkey animate timelines/nose.yaml -d out\n");
 
+  CLI::App* solve = app.add_subcommand(
+      "solve", "Solve a shot into its state, DIR/.flexkey/SHOT/; run again, it goes on where it stopped");
+  add_shot_options(*solve, options);
+  add_run_options(*solve, options);
+  solve->footer("Example:\n  flexkey solve timelines/nose.yaml -d out\n");
+
+  CLI::App* write = app.add_subcommand(
+      "export", "Write the files that a shot names from its state; solve what is missing or stale first");
+  add_shot_options(*write, options);
+  add_run_options(*write, options);
+  write->add_flag("--no-solve", options.no_solve, "Exit 2 instead where the state is missing or stale");
+  write->footer("Example:\n  flexkey export timelines/nose.yaml -d out --no-solve\n");
+
   CLI::App* check =
       app.add_subcommand("check", "Parse a shot, load its mesh, resolve every selection; solve nothing");
   add_shot_options(*check, options);
@@ -121,6 +134,10 @@ int main(int argc, char** argv) {
     if (app.exit(error) != 0) return bad_timeline;
     return std::cout.flush() ? done : unwritten;
   }
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count(options.threads)));
   if (animate->parsed()) return guarded([&] { return run_animate(options); });
+  if (solve->parsed()) return guarded([&] { return run_solve(options); });
+  if (write->parsed()) return guarded([&] { return run_export(options); });
   return guarded([&] { return run_check(options); });
 }

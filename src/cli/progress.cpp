@@ -16,6 +16,10 @@ constexpr int bar_width = 28;
 
 }  // namespace
 
+Verbosity verbosity_of(const ShotOptions& options) {
+  return options.quiet ? Verbosity::quiet : Verbosity::normal;
+}
+
 Progress::Progress(int total, Verbosity verbosity, const char* what)
     : what_(what),
       total_(std::max(1, total)),
@@ -24,6 +28,12 @@ Progress::Progress(int total, Verbosity verbosity, const char* what)
 
 Progress::~Progress() {
   if (!quiet_ && terminal_ && done_ > 0) say("\r\x1b[K");  // the report follows on a clean line
+}
+
+void Progress::pass() {
+  ++passed_;
+  start_ = Clock::now();
+  advance();
 }
 
 void Progress::reach(int done) {
@@ -47,7 +57,7 @@ void Progress::draw_bar(double seconds) const {
   const int filled = bar_width * std::min(done_, total_) / total_;
   std::string bar;
   for (int k = 0; k < bar_width; ++k) bar += k < filled ? "█" : "░";
-  const double rate = seconds > 0 ? done_ / seconds : 0;
+  const double rate = seconds > 0 ? (done_ - passed_) / seconds : 0;
   const double left = rate > 0 ? (total_ - done_) / rate : 0;
   say(fmt::format("\r\x1b[K{} {}/{} frames  {:.1f} frames/s  {:.0f} s left", bar, done_, total_, rate, left));
 }

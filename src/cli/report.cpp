@@ -33,6 +33,13 @@ std::string convergence_text(const RunReport& run) {
   return frames_text(unconverged, run.frames.size(), "did not converge");
 }
 
+/// "solved before; ", "24 of 48 frames solved before; "
+std::string before_text(const RunReport& run) {
+  if (run.solved_before() == 0) return {};
+  if (run.solved_now == 0) return "solved before; ";
+  return fmt::format("{} of {} frames solved before; ", run.solved_before(), run.frames.size());
+}
+
 json frame_json(const FrameReport& frame) {
   return {{"frame", frame.frame},
           {"lambda", frame.lambda},
@@ -109,6 +116,7 @@ json run_json(const RunReport& run) {
   for (const WrittenPage& page : run.pages) written.push_back(page_json(page));
   return {{"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
           {"frames", run.frames.size()},
+          {"solved_before", run.solved_before()},
           {"solves", run.solves()},
           {"claims_convergence", run.claims_convergence},
           {"unconverged", run.unconverged()},
@@ -119,6 +127,10 @@ json run_json(const RunReport& run) {
 }
 
 }  // namespace
+
+std::size_t RunReport::solved_before() const {
+  return frames.size() - solved_now;
+}
 
 int RunReport::solves() const {
   int total = 0;
@@ -165,8 +177,8 @@ std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& 
     if (runs.size() > 1) text += fmt::format("  λ = {:g}\n", run.lambda_first);
     const double mean =
         run.frames.empty() ? 0 : static_cast<double>(run.solves()) / static_cast<double>(run.frames.size());
-    text += fmt::format("  solve  {:6.2f} s   {:.1f} solves a frame; {}\n", run.solve_seconds, mean,
-                        convergence_text(run));
+    text += fmt::format("  solve  {:6.2f} s   {}{:.1f} solves a frame; {}\n", run.solve_seconds,
+                        before_text(run), mean, convergence_text(run));
     if (const std::vector<int> slipped = run.slipped(); !slipped.empty())
       text += fmt::format("  slip   the surface lost a turn that its handles made: {}\n",
                           frames_text(slipped, run.frames.size(), "slipped"));

@@ -38,12 +38,14 @@ struct WrittenPage {
 struct RunReport {
   double lambda_first = 0, lambda_last = 0;
   std::vector<FrameReport> frames;  // every solved frame
+  std::size_t solved_now = 0;       // of them; the others come from the shot's state
   bool claims_convergence = true;   // `preset: paper` does not
   double solve_seconds = 0, write_seconds = 0;
   std::vector<WrittenFile> written;
   std::vector<WrittenCache> caches;
   std::vector<WrittenPage> pages;
 
+  std::size_t solved_before() const;
   int solves() const;
   std::vector<int> unconverged() const;
   std::vector<int> slipped() const;

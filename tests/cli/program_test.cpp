@@ -140,8 +140,11 @@ TEST_F(Program, AFileSizeLimitExitsFiveAndLeavesNothing) {
   write("shot.yaml", test::minimal_shot);
   const ProgramResult result = run({"animate", "shot.yaml", "-d", "out"}, {}, "ulimit -f 20;");
   EXPECT_EQ(result.exit_code, 5);
+  EXPECT_THAT(result.errors, HasSubstr("warning: cannot write 'out/.flexkey/shot/frames'"))
+      << "nor the state";
   EXPECT_THAT(result.errors, HasSubstr("File too large"));
-  EXPECT_TRUE(fs::is_empty(folder() / "out"));
+  EXPECT_THAT(names_in("out"), testing::ElementsAre(".flexkey"));
+  EXPECT_THAT(names_in("out/.flexkey/shot"), testing::ElementsAre("lock"));
 }
 
 TEST_F(Program, AMeshThatCannotBeLookedAtExitsThree) {
@@ -167,7 +170,7 @@ TEST_F(Program, AnInterruptLeavesNoHalfFile) {
       run({"animate", "shot.yaml", "-d", "out"}, {}, "timeout --foreground --preserve-status -s INT 0.4");
   EXPECT_EQ(result.exit_code, 130);
   EXPECT_THAT(result.errors, HasSubstr("stopped by a signal after"));
-  EXPECT_TRUE(fs::is_empty(folder() / "out"));
+  EXPECT_THAT(names_in("out"), testing::ElementsAre(".flexkey"));
 }
 
 }  // namespace

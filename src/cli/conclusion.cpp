@@ -1,0 +1,62 @@
+#include "cli/conclusion.h"
+
+#include <fmt/format.h>
+
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+
+namespace flexkey::cli {
+namespace {
+
+/// Of the run's GLBs; the one in a page is that of the file beside it, where there is one.
+std::vector<std::string> gltf_warnings(const RunReport& report) {
+  std::vector<std::string> warnings;
+  const auto take = [&](const auto& files) {
+    for (const auto& file : files)
+      warnings.insert(warnings.end(), file.gltf.warnings.begin(), file.gltf.warnings.end());
+  };
+  take(report.written);
+  if (report.written.empty()) take(report.pages);
+  return warnings;
+}
+
+void print_report(const Session& session, const std::vector<RunReport>& reports,
+                  const std::vector<std::string>& results) {
+  const bool quiet = session.options.quiet;
+  if (!quiet) {
+    for (const RunReport& report : reports)
+      for (const std::string& warning : gltf_warnings(report)) say(fmt::format("warning: {}\n", warning));
+    say(report_text(session.loaded, reports, session.load_seconds));
+  }
+  if (session.options.json) {
+    print_result(fmt::format("{}\n", report_json(session.loaded, reports, session.load_seconds)));
+  } else if (!quiet) {
+    for (const std::string& result : results) print_result(fmt::format("{}\n", result));
+  }
+}
+
+}  // namespace
+
+int conclude(const Session& session, const std::vector<RunReport>& reports,
+             const std::vector<std::string>& results) {
+  print_report(session, reports, results);
+  if (!session.options.strict) return done;
+  for (const RunReport& report : reports) {
+    if (report.unconverged().empty()) continue;
+    say(fmt::format("flexkey: error: {} of {} frames did not converge (--strict)\n",
+                    report.unconverged().size(), report.frames.size()));
+    return not_converged;
+  }
+  return done;
+}
+
+int conclude_stopped(const Session& session, const RunStates& states, std::size_t frames,
+                     std::vector<std::string> fates) {
+  fates.emplace_back(states.is_kept() ? "the same command goes on from there" : "no state was kept");
+  say(fmt::format("\nflexkey: stopped by a signal after {} of {} frames; {}\n", frames, session.frame_count(),
+                  fmt::join(fates, ", ")));
+  return stopped_by_signal + noted_signal();
+}
+
+}  // namespace flexkey::cli
