@@ -65,12 +65,14 @@ std::optional<Waypoint> TakeState::waypoint(DeformerCache& cache) const {
   if (next_ == 0) return std::nullopt;
   const std::unique_ptr<const Checkpoint> found = read_checkpoint(checkpoint_path());
   if (!found) return std::nullopt;
-  return load_waypoint(found->waypoint, take_.scene, cache);
+  Waypoint waypoint = load_waypoint(found->waypoint, take_.scene, cache);
+  if (waypoint.next != next_) throw ArchiveError("the checkpoint is not of the frame that it names");
+  return waypoint;
 }
 
 void TakeState::add(const FrameReport& report, const Positions& positions) {
   if (!is_open_) {
-    make_folder();
+    prepare_folder();
     log_.keep(report.frame);
     is_open_ = true;
   }
@@ -78,16 +80,20 @@ void TakeState::add(const FrameReport& report, const Positions& positions) {
   frames_ = report.frame + 1;
 }
 
-void TakeState::make_folder() const {
-  std::error_code error;
+/// Makes it, and clears it of checkpoints whose writer was killed.
+void TakeState::prepare_folder() const {
+  std::error_code error, ignored;
   std::filesystem::create_directories(folder_, error);
   if (error)
     throw OutputError(fmt::format("cannot make the folder '{}': {}", folder_.string(), error.message()));
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, ignored))
+    if (entry.path().filename().string().starts_with("checkpoint.part-"))
+      std::filesystem::remove(entry.path(), ignored);
 }
 
 bool TakeState::wants_checkpoint() const {
   constexpr std::chrono::milliseconds least(250);
-  constexpr int share = 20;  // of the time that a checkpoint takes
+  constexpr int share = 40;  // of the time that the last one took
   return Clock::now() - saved_ >= std::max<Clock::duration>(least, share * cost_);
 }
 

@@ -58,7 +58,7 @@ class TakeState {
   void compare();
   void verify(const std::vector<int>& wanted);
   void find_checkpoint();
-  void make_folder() const;
+  void prepare_folder() const;
   Digest motion_before(int frame) const;
 
   std::filesystem::path folder_;

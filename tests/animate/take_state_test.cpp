@@ -196,6 +196,14 @@ TEST_F(State, DoesNotGoOnFromACheckpointOfAnotherMotion) {
   expect_whole(other);
 }
 
+TEST_F(State, IsClearedOfCheckpointsWhoseWriterWasKilled) {
+  solve(shot_text(), 3);
+  std::ofstream(folder() / "checkpoint.part-123") << "half of it";
+  solve(shot_text());
+  EXPECT_FALSE(fs::exists(folder() / "checkpoint.part-123"));
+  EXPECT_TRUE(fs::exists(folder() / "checkpoint"));
+}
+
 TEST_F(State, ThatIsRemovedIsEmpty) {
   solve(shot_text());
   const Shot shot = shot_of(shot_text());
