@@ -40,7 +40,7 @@ class TakeState {
   const std::filesystem::path& folder() const { return folder_; }
 
   /// Where the solve goes on, at most behind the frames that are there; nothing: at rest. Throws DeformError
-  /// if the surface cannot be solved.
+  /// if the surface cannot be solved, ArchiveError for what was only made to look like a checkpoint.
   std::optional<Waypoint> waypoint(DeformerCache& cache) const;
 
   /// Adds a frame, in place of those that are there from its number on. Throws OutputError.
