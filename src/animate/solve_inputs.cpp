@@ -12,24 +12,27 @@ SolveInputs inputs_of(const Take& take, std::string_view program) {
   const Scene& scene = take.scene;
   const Mesh& surface = scene.weld.surface;
   std::vector<Vec3> pivots;
-  bool changes = false;  // the order of elimination is another where handles take hold and let go
+  std::vector<int> parents, curves;
+  int changing = 0;  // the order of elimination is another where handles take hold and let go
   for (const SceneHandle& bound : scene.handles) {
     pivots.push_back(bound.pivot);
-    changes = changes || !bound.handle.active.empty();
+    parents.push_back(bound.handle.parent);
+    curves.push_back(bound.handle.curve.empty() ? 0 : 1);
+    changing = bound.handle.active.empty() ? changing : 1;
   }
   return {digest_of(std::string(program)),
           digest_of(surface.positions, surface.face_offsets, surface.corners, scene.weld.to_surface),
-          digest_of(scene.constraints, pivots, changes, scene.riders), digest_of(take.shot.solver)};
+          digest_of(scene.constraints, pivots, parents, curves, changing, scene.riders),
+          digest_of(take.shot.solver)};
 }
 
 Digest motion_of(const Take& take, int frame, const Digest& before) {
   const double time = frame / take.shot.fps;
   const Leg leg = leg_of(take, active_at(take.scene, time), frame);
-  const auto& [scene, active, now, lambda, max_step] =
-      leg;  // the scene and the most step are among the inputs
+  const auto& [scene, active, now, lambda, max_step] = leg;  // of which the first and last are inputs
   std::vector<double> grips;
   for (const SceneHandle& bound : scene.handles) grips.push_back(sample_grip(bound.handle, time));
-  return digest_of(before, active, grips, now, lambda);
+  return digest_of(before, active, grips, now, targets_of(scene, now), lambda);
 }
 
 std::string difference(const SolveInputs& before, const SolveInputs& now) {

@@ -33,7 +33,8 @@ void bind_to(const Scene& scene, DeformerCache& cache, Passage& passage) {
           passage.before.curves.size() == scene.handles.size());
   for (std::size_t h = 0; h < scene.handles.size(); ++h) {
     const Eigen::Index rows = passage.before.curves[h].rows();
-    require(rows == 0 || rows == scene.handles[h].rest.rows());
+    const bool may_have_none = scene.handles[h].handle.curve.empty();
+    require((may_have_none && rows == 0) || rows == scene.handles[h].rest.rows());
   }
   passage.deformer = cache.of(active);
   require(passage.deformer->could_have_solved(passage.pose));

@@ -92,6 +92,15 @@ TEST_F(Resume, OfCurves) {
       "    curve: {keys: {0s: rest, 1s: {polyline: [[0, 0, 4], [0, 1, 7], [0, 3, 8]]}}}\nfps: 6\n");
 }
 
+TEST_F(Resume, OfHandlesThatFollowTheirParentsAndSway) {
+  expect_same_in_parts(
+      "mesh: bar.obj\nhandles:\n"
+      "  base: {select: {axis: z, below: 0%}, rotate: {axis: y, keys: {0s: 0deg, 1s: 100deg}}}\n"
+      "  tip: {select: {axis: z, above: 100%}, parent: base, noise: {amplitude: 0.2, frequency: 3, along: "
+      "x}, "
+      "rotate: {axis: z, keys: {0s: 0deg, 1s: 60deg}}}\nfps: 8\n");
+}
+
 TEST_F(Resume, OfRunsSolvedTogetherThatStoppedAtDifferentFrames) {
   const Mesh bar = meshes::bar(2, 2, 8);
   std::vector<Shot> shots(3, shot_of(bent));

@@ -110,6 +110,10 @@ TEST_F(State, IsStaleWhereTheSolverGetsSomethingElse) {
   EXPECT_EQ(fault(held_bar + "  tip: {select: {axis: z, above: 100%}, weight: 0.5, rotate: {axis: x, keys: "
                              "{0s: 0deg, 1s: 40deg}}}\nfps: 8\n"),
             handles);
+  EXPECT_EQ(
+      fault(held_bar + "  tip: {select: {axis: z, above: 100%}, parent: base, rotate: {axis: x, keys: {0s: "
+                       "0deg, 1s: 40deg}}}\nfps: 8\n"),
+      handles);
   for (const char* solver : {"tolerance: 0.2%", "iterations: 29", "system: direct", "weights: cotangent",
                              "predict: off", "max_step: 20deg", "preset: paper"})
     EXPECT_EQ(fault(shot_text() + "solver: {" + solver + "}\n"), "the solver's settings have changed");
