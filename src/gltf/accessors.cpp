@@ -157,6 +157,23 @@ int append_attribute(tinygltf::Model& model, const FloatRows& rows) {
   return append_dense(model, rows, TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
+int append_elements(tinygltf::Model& model, const RawElements& elements) {
+  const AccessorRows& values = elements.values;
+  tinygltf::Accessor accessor;
+  accessor.componentType = elements.component_type;
+  accessor.type = type_of_columns(elements.columns);
+  accessor.normalized = elements.normalized;
+  accessor.count = static_cast<std::size_t>(values.rows());
+  if (values.allFinite()) {
+    accessor.minValues = doubles(values.colwise().minCoeff());
+    accessor.maxValues = doubles(values.colwise().maxCoeff());
+  }
+  accessor.bufferView =
+      append_view(model, std::as_bytes(std::span(elements.bytes)), TINYGLTF_TARGET_ARRAY_BUFFER);
+  model.bufferViews.back().byteStride = elements.bytes.size() / accessor.count;
+  return add_accessor(model, std::move(accessor));
+}
+
 int append_deltas(tinygltf::Model& model, const SparseRows& rows) {
   return append_smaller(model, rows, TINYGLTF_TARGET_ARRAY_BUFFER);
 }

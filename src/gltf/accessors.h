@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "flexkey/gltf/float_rows.h"
 
@@ -12,12 +13,27 @@ class Model;
 
 namespace flexkey {
 
+/// Numbers of an accessor, #elements x components.
+using AccessorRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Elements of an accessor as they are stored.
+struct RawElements {
+  int component_type = 0;  // as OpenGL numbers them: 5120 signed byte .. 5126 float
+  int columns = 0;         // 1 SCALAR .. 4 VEC4
+  bool normalized = false;
+  std::vector<unsigned char> bytes;  // an element after another, each padded to a multiple of 4 bytes
+  AccessorRows values;               // integers as they stand
+};
+
 // Each of these appends an array to buffer 0 of the model, in a buffer view of its own at a multiple of 4
 // bytes, so that no view needs a stride, and returns the index of the new accessor. Accessors of floats get
 // their exact smallest and largest values.
 
 /// Vertex attribute, every row written.
 int append_attribute(tinygltf::Model& model, const FloatRows& rows);
+
+/// Vertex attribute of any component type, byte for byte.
+int append_elements(tinygltf::Model& model, const RawElements& elements);
 
 /// Morph deltas: sparse over zeros where that takes fewer bytes, else every row.
 int append_deltas(tinygltf::Model& model, const SparseRows& rows);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <unordered_map>
 
 #include "flexkey/mesh/error.h"
 
@@ -78,14 +79,14 @@ void require_index_type(int type, const std::string& what) {
 }  // namespace
 
 /// Where the elements of an accessor lie.
-struct AccessorReader::Elements {
+struct AccessorReader::Place {
   const unsigned char* first;
   std::size_t stride;
   const unsigned char* at(std::size_t element) const { return first + element * stride; }
 };
 
-AccessorReader::Elements AccessorReader::elements(const std::string& what, int view_index, std::size_t offset,
-                                                  std::size_t count, std::size_t element_bytes) const {
+AccessorReader::Place AccessorReader::place_of(const std::string& what, int view_index, std::size_t offset,
+                                               std::size_t count, std::size_t element_bytes) const {
   const GltfView& view = scene_.views[static_cast<std::size_t>(view_index)];
   const std::size_t stride = view.stride > 0 ? view.stride : element_bytes;
   if (stride < element_bytes)
@@ -118,38 +119,75 @@ AccessorRows AccessorReader::rows(int index, int columns) const {
   if (accessor.view < 0) {
     rows = AccessorRows::Zero(static_cast<Eigen::Index>(accessor.count), columns);
   } else {
-    const Elements found = elements(what, accessor.view, accessor.offset, accessor.count, size * width);
+    const Place found = place_of(what, accessor.view, accessor.offset, accessor.count, size * width);
     rows.resize(static_cast<Eigen::Index>(accessor.count), columns);
     for (std::size_t row = 0; row < accessor.count; ++row)
       for (std::size_t column = 0; column < width; ++column)
         rows(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
             component_at(found.at(row) + column * size, accessor.component_type, accessor.normalized);
   }
-  if (accessor.sparse) put_in_sparse(what, accessor, rows);
+  for (const Replaced& other : replaced(what, accessor))
+    for (std::size_t column = 0; column < width; ++column)
+      rows(static_cast<Eigen::Index>(other.element), static_cast<Eigen::Index>(column)) =
+          component_at(other.bytes + column * size, accessor.component_type, accessor.normalized);
   for (Eigen::Index row = 0; row < rows.rows(); ++row)
     if (!rows.row(row).allFinite())
       throw InputError(fmt::format("{} has a value at element {} that is not a finite number", what, row));
   return rows;
 }
 
-void AccessorReader::put_in_sparse(const std::string& what, const GltfAccessor& accessor,
-                                   AccessorRows& rows) const {
+std::vector<AccessorReader::Replaced> AccessorReader::replaced(const std::string& what,
+                                                               const GltfAccessor& accessor) const {
+  if (!accessor.sparse) return {};
   const GltfSparse& sparse = *accessor.sparse;
   const std::string part = fmt::format("'sparse' of {}", what);
   require_index_type(sparse.index_type, part);
   const std::size_t index_size = component_bytes(sparse.index_type, part);
   const std::size_t size = component_bytes(accessor.component_type, part);
-  const auto width = static_cast<std::size_t>(rows.cols());
-  const Elements indices = elements(part, sparse.index_view, sparse.index_offset, sparse.count, index_size);
-  const Elements values = elements(part, sparse.value_view, sparse.value_offset, sparse.count, size * width);
+  const auto width = static_cast<std::size_t>(accessor.columns);
+  const Place indices = place_of(part, sparse.index_view, sparse.index_offset, sparse.count, index_size);
+  const Place values = place_of(part, sparse.value_view, sparse.value_offset, sparse.count, size * width);
+  std::vector<Replaced> all;
   for (std::size_t at = 0; at < sparse.count; ++at) {
     const auto row = static_cast<std::size_t>(component_at(indices.at(at), sparse.index_type, false));
     if (row >= accessor.count)
       throw InputError(fmt::format("{} names element {} of {}", part, row, accessor.count));
-    for (std::size_t column = 0; column < width; ++column)
-      rows(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
-          component_at(values.at(at) + column * size, accessor.component_type, accessor.normalized);
+    all.push_back({row, values.at(at)});
   }
+  return all;
+}
+
+RawElements AccessorReader::elements(int index, const std::vector<int>& chosen) const {
+  const GltfAccessor& accessor = scene_.accessors[static_cast<std::size_t>(index)];
+  const std::string what = fmt::format("accessor {}", index);
+  if (accessor.columns == 0)
+    throw InputError(fmt::format("{} has matrices, which flexkey cannot copy", what));
+  const std::size_t size = component_bytes(accessor.component_type, what);
+  const auto width = static_cast<std::size_t>(accessor.columns);
+  const std::vector<unsigned char> zeros(size * width, 0);
+  const Place found = accessor.view < 0
+                          ? Place{zeros.data(), 0}
+                          : place_of(what, accessor.view, accessor.offset, accessor.count, zeros.size());
+  std::unordered_map<std::size_t, const unsigned char*> others;
+  for (const Replaced& one : replaced(what, accessor)) others[one.element] = one.bytes;
+
+  RawElements raw{accessor.component_type, accessor.columns, accessor.normalized, {}, {}};
+  raw.values.resize(static_cast<Eigen::Index>(chosen.size()), accessor.columns);
+  const auto stride = static_cast<std::size_t>(aligned(static_cast<std::int64_t>(zeros.size())));
+  raw.bytes.resize(chosen.size() * stride);
+  for (std::size_t row = 0; row < chosen.size(); ++row) {
+    const auto element = static_cast<std::size_t>(chosen[row]);
+    if (element >= accessor.count)
+      throw InputError(
+          fmt::format("{} has {} elements, and a face names element {}", what, accessor.count, element));
+    const auto other = others.find(element);
+    const unsigned char* bytes = other == others.end() ? found.at(element) : other->second;
+    std::memcpy(raw.bytes.data() + row * stride, bytes, zeros.size());
+    for (std::size_t column = 0; column < width; ++column)
+      raw.values(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+          component_at(bytes + column * size, accessor.component_type, false);
+  }
+  return raw;
 }
 
 std::vector<int> AccessorReader::indices(int index, std::size_t vertices) const {
@@ -159,7 +197,7 @@ std::vector<int> AccessorReader::indices(int index, std::size_t vertices) const 
   if (accessor.view < 0 || accessor.sparse || accessor.columns != 1)
     throw InputError(fmt::format("{} is not a plain list of indices", what));
   const std::size_t size = component_bytes(accessor.component_type, what);
-  const Elements found = elements(what, accessor.view, accessor.offset, accessor.count, size);
+  const Place found = place_of(what, accessor.view, accessor.offset, accessor.count, size);
   std::vector<int> result(accessor.count);
   for (std::size_t at = 0; at < accessor.count; ++at) {
     const double vertex = component_at(found.at(at), accessor.component_type, false);
