@@ -6,6 +6,7 @@
 #include "flexkey/gltf/glb.h"
 #include "flexkey/gltf/handle_nodes.h"
 #include "flexkey/gltf/measure.h"
+#include "flexkey/gltf/split_note.h"
 
 namespace flexkey {
 
@@ -15,7 +16,8 @@ struct Built {
   PlaybackError error;
   int targets = 0;                      // new ones
   int keys = 0;                         // times at which weights are given
-  int vertices = 0;                     // of all primitives that they move
+  int vertices = 0;                     // of all primitives that they could move
+  std::vector<SplitNote> splits;        // a mesh each; empty: it was not asked for
   std::vector<PlayedRange> animations;  // one a track
   std::vector<std::string> extensions;  // required
   std::vector<std::string> warnings;

@@ -102,6 +102,13 @@ std::vector<GltfGroup> read_groups(const json& item) {
   return groups;
 }
 
+std::vector<std::string> extension_names(const json& item, const std::string& what) {
+  std::vector<std::string> names;
+  if (const json* extensions = find_member(item, "extensions", what); extensions != nullptr)
+    for (const auto& [name, value] : extensions->items()) names.push_back(name);
+  return names;
+}
+
 GltfPrimitive read_primitive(const json& item, const Sizes& sizes, const std::string& what) {
   GltfPrimitive primitive;
   constexpr std::size_t triangles = 4, last_mode = 6;
@@ -115,8 +122,7 @@ GltfPrimitive read_primitive(const json& item, const Sizes& sizes, const std::st
   primitive.attributes = read_attributes(*attributes, sizes, fmt::format("'attributes' of {}", what));
   for (const json& target : list_at(item, "targets", what))
     primitive.targets.push_back(read_attributes(target, sizes, fmt::format("'targets' of {}", what)));
-  if (const json* extensions = find_member(item, "extensions", what); extensions != nullptr)
-    for (const auto& [name, value] : extensions->items()) primitive.extensions.push_back(name);
+  primitive.extensions = extension_names(item, what);
   primitive.groups = read_groups(item);
   return primitive;
 }
@@ -163,6 +169,7 @@ GltfNode read_node(const json& item, const Sizes& sizes, const std::string& what
   node.children = indices_at(item, "children", sizes.nodes, what);
   node.local = local_matrix(item, what);
   node.weights = numbers_at(item, "weights", what);
+  node.extensions = extension_names(item, what);
   return node;
 }
 

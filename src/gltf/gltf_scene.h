@@ -65,7 +65,8 @@ struct GltfNode {
   int mesh = -1, skin = -1;
   std::vector<int> children;
   Eigen::Matrix4d local = Eigen::Matrix4d::Identity();
-  std::vector<double> weights;  // instead of the mesh's; empty: those
+  std::vector<double> weights;          // instead of the mesh's; empty: those
+  std::vector<std::string> extensions;  // names
 };
 
 struct GltfSampler {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "flexkey/gltf/float_rows.h"
+#include "flexkey/gltf/split_note.h"
 
 namespace flexkey {
 namespace {
@@ -28,6 +29,32 @@ std::size_t target_count(const json& mesh) {
   return primitive.contains("targets") ? primitive["targets"].size() : 0;
 }
 
+/// Whether the node's mesh is only there to be measured with the others.
+bool leaves_alone(const NodeAddition& node) {
+  return std::all_of(node.primitives.begin(), node.primitives.end(),
+                     [](const PrimitiveAddition& one) { return !one.moving && !one.drop_normals; });
+}
+
+void drop_normals(json& primitive) {
+  for (const char* semantic : {"NORMAL", "TANGENT"}) {
+    primitive["attributes"].erase(semantic);
+    if (primitive.contains("targets"))
+      for (json& target : primitive["targets"]) target.erase(semantic);
+  }
+}
+
+/// Puts the new node into every list of nodes in which the other one is.
+void append_beside(json& root, int other, int node) {
+  const auto append = [&](json& owner, const char* key) {
+    if (!owner.contains(key)) return;
+    json& list = owner[key];
+    if (std::find(list.begin(), list.end(), other) != list.end()) list.push_back(node);
+  };
+  for (json& owner : root["nodes"]) append(owner, "children");
+  if (root.contains("scenes"))
+    for (json& scene : root["scenes"]) append(scene, "nodes");
+}
+
 class Grafting {
  public:
   Grafting(const Glb& file, const Addition& addition)
@@ -42,7 +69,10 @@ class Grafting {
   void append_extensions(const char* list);
   json& mesh_of(int node);
   void extend(const NodeAddition& node);
+  void extend_weights(int node, json& mesh, std::size_t own);
+  json part_of(json primitive, const PrimitivePart& part) const;
   void extend_primitive(json& primitive, const PrimitiveAddition& addition) const;
+  void append_still(int node, json mesh);
   json renumbered(const GltfAttributes& attributes) const;
   void name_targets(json& mesh, std::size_t own) const;
   void append_node(const NewNode& node);
@@ -136,21 +166,69 @@ json& Grafting::mesh_of(int node) {
 }
 
 void Grafting::extend(const NodeAddition& addition) {
+  if (leaves_alone(addition)) return;
   json& mesh = mesh_of(addition.node);
   const std::size_t own = target_count(mesh);
-  for (std::size_t p = 0; p < addition.primitives.size(); ++p)
-    extend_primitive(mesh["primitives"][p], addition.primitives[p]);
+  json moving = json::array(), still = mesh;
+  still["primitives"] = json::array();
+  for (std::size_t p = 0; p < addition.primitives.size(); ++p) {
+    const PrimitiveAddition& added = addition.primitives[p];
+    json& primitive = mesh["primitives"][p];
+    if (added.drop_normals) drop_normals(primitive);
+    if (added.still) still["primitives"].push_back(part_of(primitive, *added.still));
+    if (!added.moving) continue;
+    moving.push_back(part_of(primitive, *added.moving));
+    extend_primitive(moving.back(), added);
+  }
+  if (moving.empty()) return;  // the whole mesh is still, without a node of its own
+  mesh["primitives"] = std::move(moving);
+  extend_weights(addition.node, mesh, own);
+  describe(mesh);
+  name_targets(mesh, own);
+  if (!still["primitives"].empty()) append_still(addition.node, std::move(still));
+}
 
+/// own: the targets that the mesh had already.
+void Grafting::extend_weights(int number, json& mesh, std::size_t own) {
   const std::size_t all = own + addition_.names.size();
-  const auto extend_weights = [&](json& weights) {
+  const auto extend = [&](json& weights) {
     weights.get_ref<json::array_t&>().resize(own, 0.0);  // a file may have more weights than targets
     weights.get_ref<json::array_t&>().resize(all, 0.0);
   };
-  extend_weights(items_of(mesh, "weights"));
-  json& node = root_["nodes"][index(addition.node)];
-  if (node.contains("weights")) extend_weights(node["weights"]);
-  describe(mesh);
-  name_targets(mesh, own);
+  extend(items_of(mesh, "weights"));
+  json& node = root_["nodes"][index(number)];
+  if (node.contains("weights")) extend(node["weights"]);
+}
+
+json Grafting::part_of(json primitive, const PrimitivePart& part) const {
+  if (part.indices < 0) return primitive;
+  primitive["indices"] = part.indices + first_accessor_;
+  primitive.erase("mode");  // a list of triangles is the default
+  if (!part.attributes.empty()) primitive["attributes"] = renumbered(part.attributes);
+  json groups = json::array();
+  for (const GltfGroup& group : part.groups)
+    groups.push_back({{"name", group.name}, {"triangles", group.triangles}});
+  if (!groups.empty()) primitive["extras"]["groups"] = std::move(groups);
+  return primitive;
+}
+
+/// Gives the node's still faces a node that goes where it goes.
+void Grafting::append_still(int number, json mesh) {
+  mesh.erase("weights");
+  if (mesh.contains("name")) mesh["name"] = still_name(mesh["name"]);
+  root_["meshes"].push_back(std::move(mesh));
+  json& nodes = root_["nodes"];
+  const json& shown = nodes[index(number)];
+  json still = {{"mesh", root_["meshes"].size() - 1}};
+  if (shown.contains("name")) still["name"] = still_name(shown["name"]);
+  const int place = static_cast<int>(nodes.size());
+  if (shown.contains("skin")) {
+    still["skin"] = shown["skin"];
+    append_beside(root_, number, place);
+  } else {
+    items_of(nodes[index(number)], "children").push_back(place);
+  }
+  nodes.push_back(std::move(still));
 }
 
 json Grafting::renumbered(const GltfAttributes& attributes) const {
@@ -161,12 +239,6 @@ json Grafting::renumbered(const GltfAttributes& attributes) const {
 
 void Grafting::extend_primitive(json& primitive, const PrimitiveAddition& addition) const {
   json& targets = items_of(primitive, "targets");
-  if (addition.drop_normals) {
-    for (const char* semantic : {"NORMAL", "TANGENT"}) {
-      primitive["attributes"].erase(semantic);
-      for (json& target : targets) target.erase(semantic);
-    }
-  }
   for (json& target : targets)
     for (const auto& [semantic, accessor] : addition.targets.front())
       if (!target.contains(semantic)) target[semantic] = addition.zeros.at(semantic) + first_accessor_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,17 @@
 
 namespace flexkey {
 
+/// Faces of a primitive. Accessors are those of the addition.
+struct PrimitivePart {
+  int indices = -1;               // of a list of triangles; -1: all faces, as the file has them
+  GltfAttributes attributes;      // of vertices of their own; none: the file's
+  std::vector<GltfGroup> groups;  // among those triangles
+};
+
 /// What one primitive of a solved node gets. Accessors are those of the addition.
 struct PrimitiveAddition {
+  std::optional<PrimitivePart> moving = PrimitivePart();  // what has the targets; none: nothing of it does
+  std::optional<PrimitivePart> still;   // what goes into a mesh without targets; none: nothing of it does
   std::vector<GltfAttributes> targets;  // #new targets, all of the same attributes
   GltfAttributes zeros;                 // for those of the attributes that some target lacks
   bool drop_normals = false;            // its normals would stay at rest: clients shade flat without them
@@ -60,7 +70,9 @@ struct Addition {
 };
 
 /// The file with the addition in it, and everything else as it was. A mesh that other nodes show too is
-/// copied for the solved one. Names of new targets that the file has already get a number behind them.
+/// copied for the solved one. Names of new targets that the file has already get a number behind them. Where
+/// parts of a mesh move and others are still, these become a mesh and a node of their own below the solved
+/// one; of a skinned one beside it, since joints alone place a skin.
 Glb graft(const Glb& file, const Addition& addition);
 
 }  // namespace flexkey

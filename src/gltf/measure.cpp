@@ -68,20 +68,26 @@ FloatRows stacked(const std::vector<FloatRows>& parts) {
   return all;
 }
 
-/// An attribute of mesh 0 as it was written, the rows of its primitives one below the other.
+/// An attribute of all meshes as it was written, the rows of their primitives one below the other; mesh 0
+/// alone has targets.
 class Morphed {
  public:
   Morphed(const tinygltf::Model& model, const std::string& attribute) {
-    const std::vector<tinygltf::Primitive>& primitives = model.meshes[0].primitives;
-    const auto read = [&](const auto& accessor_of) {
+    const std::vector<tinygltf::Primitive>& moving = model.meshes[0].primitives;
+    std::vector<tinygltf::Primitive> all;
+    for (const tinygltf::Mesh& mesh : model.meshes)
+      all.insert(all.end(), mesh.primitives.begin(), mesh.primitives.end());
+    const auto read = [&](const auto& primitives, const auto& accessor_of) {
       std::vector<FloatRows> parts;
       for (const tinygltf::Primitive& primitive : primitives)
         parts.push_back(read_rows(model, accessor_of(primitive).at(attribute)));
       return stacked(parts);
     };
-    base_ = read([](const tinygltf::Primitive& one) -> const auto& { return one.attributes; });
-    for (std::size_t t = 0; t < primitives[0].targets.size(); ++t)
-      targets_.push_back(read([t](const tinygltf::Primitive& one) -> const auto& { return one.targets[t]; }));
+    base_ = read(
+        all, [](const tinygltf::Primitive& one) -> const auto& { return one.attributes; });
+    for (std::size_t t = 0; t < moving[0].targets.size(); ++t)
+      targets_.push_back(read(
+          moving, [t](const tinygltf::Primitive& one) -> const auto& { return one.targets[t]; }));
   }
 
   /// base + Σ weight · delta, added up in floats as clients do. weights: #targets.
@@ -89,7 +95,7 @@ class Morphed {
     FloatRows sum = base_;
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       const float weight = weights[static_cast<Eigen::Index>(t)];
-      if (weight != 0) sum += weight * targets_[t];
+      if (weight != 0) sum.topRows(targets_[t].rows()) += weight * targets_[t];
     }
     return sum.cast<double>();
   }
@@ -129,10 +135,11 @@ std::vector<double> keys_between(const std::vector<double>& keys, const std::vec
 
 }  // namespace
 
-Played played_by(const tinygltf::Model& model, const Asset& asset) {
+Played played_by(const tinygltf::Model& model, const Asset& asset, const AssetSplit& split) {
   std::vector<int> vertices;
-  for (const Primitive& primitive : asset.primitives)
-    vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  for (const auto* primitives : {&split.moving, &split.still})
+    for (const Primitive& primitive : *primitives)
+      vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
   const auto player_of = [&model](const char* attribute) {
     return [&model, attribute]() -> Player {
       return [morphed = Morphed(model, attribute)](const Eigen::RowVectorXf& weights) {

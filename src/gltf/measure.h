@@ -6,6 +6,7 @@
 
 #include "flexkey/gltf/asset.h"
 #include "flexkey/gltf/basis.h"
+#include "flexkey/gltf/split_asset.h"
 #include "flexkey/gltf/steps.h"
 
 namespace tinygltf {
@@ -39,8 +40,9 @@ struct Played {
   NormalsAt solved_normals;   // what they are compared with
 };
 
-/// Of the model's mesh 0: base and targets read back from its buffer and added up in floats as clients do.
-Played played_by(const tinygltf::Model& model, const Asset& asset);
+/// Of the model's meshes, which are those of the split: base and targets read back from its buffer and added
+/// up in floats as clients do.
+Played played_by(const tinygltf::Model& model, const Asset& asset, const AssetSplit& split);
 
 /// Compares what is played with the weights that the basis gives and the solved clip: at every frame, and
 /// positions also at the keys in between, where solved frames are blended linearly. Since file and clip both

@@ -2,6 +2,7 @@
 
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "flexkey/gltf/accessors.h"
 #include "flexkey/gltf/extras.h"
 #include "flexkey/gltf/float_grid.h"
+#include "flexkey/gltf/split_note.h"
 #include "flexkey/gltf/utf8.h"
 
 namespace flexkey {
@@ -31,14 +33,21 @@ tinygltf::Primitive base_primitive(tinygltf::Model& model, const Asset& asset, c
   return base;
 }
 
+/// The model's material, which it has one of for each of the asset's primitives.
+int material_of(const Asset& asset, const Primitive& primitive) {
+  const auto found = std::find_if(asset.primitives.begin(), asset.primitives.end(),
+                                  [&](const Primitive& one) { return one.material == primitive.material; });
+  return static_cast<int>(found - asset.primitives.begin());
+}
+
 /// The mesh without targets, in its primitives' order.
-tinygltf::Mesh base_mesh(tinygltf::Model& model, const Asset& asset, std::size_t target_count) {
+tinygltf::Mesh base_mesh(tinygltf::Model& model, const Asset& asset,
+                         const std::vector<Primitive>& primitives) {
   tinygltf::Mesh mesh;
   mesh.name = valid_utf8(asset.clip.name);
-  mesh.weights.assign(target_count, 0.0);
-  for (std::size_t i = 0; i < asset.primitives.size(); ++i) {
-    mesh.primitives.push_back(base_primitive(model, asset, asset.primitives[i]));
-    mesh.primitives.back().material = static_cast<int>(i);
+  for (const Primitive& primitive : primitives) {
+    mesh.primitives.push_back(base_primitive(model, asset, primitive));
+    mesh.primitives.back().material = material_of(asset, primitive);
   }
   return mesh;
 }
@@ -66,27 +75,31 @@ SparseRows sparse_samples(const Eigen::MatrixXf& weights) {
 
 }  // namespace
 
-void append_morph_mesh(tinygltf::Model& model, const Asset& asset, Targets targets) {
-  tinygltf::Mesh mesh = base_mesh(model, asset, targets.positions.size());
+void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const std::vector<Primitive>& moving,
+                       Targets targets) {
+  tinygltf::Mesh mesh = base_mesh(model, asset, moving);
+  mesh.weights.assign(targets.positions.size(), 0.0);
   for (std::size_t t = 0; t < targets.positions.size(); ++t) {
     const FloatRows positions = std::move(targets.positions[t]);
     const FloatRows normals = targets.normals.empty() ? FloatRows() : std::move(targets.normals[t]);
-    for (std::size_t i = 0; i < asset.primitives.size(); ++i) {
+    for (std::size_t i = 0; i < moving.size(); ++i) {
       std::map<std::string, int> target;
-      target["POSITION"] = append_gathered(model, positions, asset.primitives[i]);
-      if (normals.rows() > 0) target["NORMAL"] = append_gathered(model, normals, asset.primitives[i]);
+      target["POSITION"] = append_gathered(model, positions, moving[i]);
+      if (normals.rows() > 0) target["NORMAL"] = append_gathered(model, normals, moving[i]);
       mesh.primitives[i].targets.push_back(std::move(target));
     }
   }
   model.meshes.push_back(std::move(mesh));
 }
 
-void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const QuantizedTargets& targets) {
+void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const std::vector<Primitive>& moving,
+                       const QuantizedTargets& targets) {
   for (auto* list : {&model.extensionsUsed, &model.extensionsRequired})
     list->emplace_back("KHR_mesh_quantization");
-  tinygltf::Mesh mesh = base_mesh(model, asset, targets.positions.size());
-  for (std::size_t i = 0; i < asset.primitives.size(); ++i) {
-    const std::vector<int>& vertices = asset.primitives[i].vertices;
+  tinygltf::Mesh mesh = base_mesh(model, asset, moving);
+  mesh.weights.assign(targets.positions.size(), 0.0);
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    const std::vector<int>& vertices = moving[i].vertices;
     Zeros zeros;
     for (std::size_t t = 0; t < targets.positions.size(); ++t) {
       std::map<std::string, int> target;
@@ -95,11 +108,17 @@ void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const Quantiz
         target["NORMAL"] =
             append_integers(model, targets.normals[t](vertices, Eigen::all), targets.normal_largest, zeros);
       } else if (!targets.float_normals.empty()) {
-        target["NORMAL"] = append_attribute(model, gather(targets.float_normals[t], asset.primitives[i]));
+        target["NORMAL"] = append_attribute(model, gather(targets.float_normals[t], moving[i]));
       }
       mesh.primitives[i].targets.push_back(std::move(target));
     }
   }
+  model.meshes.push_back(std::move(mesh));
+}
+
+void append_still_mesh(tinygltf::Model& model, const Asset& asset, const std::vector<Primitive>& still) {
+  tinygltf::Mesh mesh = base_mesh(model, asset, still);
+  mesh.name = still_name(mesh.name);
   model.meshes.push_back(std::move(mesh));
 }
 

@@ -4,9 +4,12 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "flexkey/gltf/accessors.h"
+#include "flexkey/gltf/primitive_parts.h"
 #include "flexkey/gltf/read_accessor.h"
 #include "flexkey/gltf/sampler_track.h"
 #include "flexkey/mesh/error.h"
@@ -28,15 +31,13 @@ SamplerTrack sampler_track(const WeightTrack& track) {
   return result;
 }
 
-/// The rows of one primitive of target t, appended as accessors.
+/// Some rows of target t, appended as accessors.
 struct TargetAppender {
   tinygltf::Model& model;
-  const SolvedPrimitive& primitive;
+  const std::vector<int>& vertices;
   std::size_t t;
 
-  auto part(const auto& rows) const {
-    return rows.middleRows(primitive.first_vertex, primitive.vertex_count);
-  }
+  auto part(const auto& rows) const { return rows(vertices, Eigen::all).eval(); }
 
   int positions(const Targets& targets) const {
     return append_deltas(model, nonzero_rows(part(targets.positions[t])));
@@ -67,7 +68,10 @@ class Adding {
   const GltfPrimitive& primitive_of(const SolvedNode& node, std::size_t primitive) const;
   std::set<std::string> attributes_of(const SolvedNode& node, std::size_t primitive) const;
   GltfAttributes zeros_for(const SolvedNode& node, std::size_t primitive);
-  PrimitiveAddition add_to(const SolvedNode& node, std::size_t primitive);
+  PrimitiveAddition add_to(std::size_t node, std::size_t primitive);
+  void part(GltfPrimitive primitive, const SplitFaces& faces, PrimitiveAddition& addition);
+  void append_targets(const SolvedNode& node, std::size_t primitive, const std::vector<int>& rows,
+                      PrimitiveAddition& addition);
 
   int animation_named(const std::string& name) const;
   const SolvedNode* solved(int node) const;
@@ -94,9 +98,10 @@ Addition Adding::add() {
     for (auto* list : {&model_.extensionsUsed, &model_.extensionsRequired})
       list->emplace_back("KHR_mesh_quantization");
   result_.names = targets_.names;
-  for (const SolvedNode& node : source_.nodes) {
-    NodeAddition addition{node.node, {}};
-    for (std::size_t p = 0; p < node.primitives.size(); ++p) addition.primitives.push_back(add_to(node, p));
+  for (std::size_t n = 0; n < source_.nodes.size(); ++n) {
+    NodeAddition addition{source_.nodes[n].node, {}};
+    for (std::size_t p = 0; p < source_.nodes[n].primitives.size(); ++p)
+      addition.primitives.push_back(add_to(n, p));
     result_.nodes.push_back(std::move(addition));
   }
   change_channels();
@@ -140,27 +145,48 @@ GltfAttributes Adding::zeros_for(const SolvedNode& node, std::size_t primitive) 
   return zeros;
 }
 
-PrimitiveAddition Adding::add_to(const SolvedNode& node, std::size_t p) {
-  const SolvedPrimitive& solved = node.primitives[p];
+PrimitiveAddition Adding::add_to(std::size_t n, std::size_t p) {
+  using Fate = PrimitiveSplit::Fate;
+  const SolvedNode& node = source_.nodes[n];
+  const PrimitiveSplit& split = targets_.split.nodes[n][p];
   PrimitiveAddition addition;
   addition.drop_normals = !targets_.normals;
+  if (split.fate == Fate::stays) {
+    addition.still = std::exchange(addition.moving, std::nullopt);
+    return addition;
+  }
+  if (split.fate == Fate::parts) part(primitive_of(node, p), split.faces, addition);
   addition.zeros = zeros_for(node, p);
+  append_targets(node, p, moving_rows(node.primitives[p], split), addition);
+  return addition;
+}
+
+/// Appends what the two sides need of their own.
+void Adding::part(GltfPrimitive primitive, const SplitFaces& faces, PrimitiveAddition& addition) {
+  if (!targets_.normals)
+    for (const char* semantic : {"NORMAL", "TANGENT"}) primitive.attributes.erase(semantic);
+  addition.moving = compact_part(model_, primitive, faces.moving, reader_);
+  if (!faces.still.triangles.empty()) addition.still = sharing_part(model_, primitive, faces.still);
+}
+
+/// rows: the clip's vertices that the targets are of.
+void Adding::append_targets(const SolvedNode& node, std::size_t p, const std::vector<int>& rows,
+                            PrimitiveAddition& addition) {
   const std::set<std::string> attributes = attributes_of(node, p);
   for (std::size_t t = 0; t < targets_.names.size(); ++t) {
-    const TargetAppender appender{model_, solved, t};
+    const TargetAppender appender{model_, rows, t};
     GltfAttributes target;
     for (const std::string& semantic : attributes) {
       target[semantic] = std::visit(
           [&](const auto& targets) {
             if (semantic == "POSITION") return appender.positions(targets);
-            return semantic == "NORMAL" && solved.has_normals ? appender.normals(targets)
-                                                              : addition.zeros.at(semantic);
+            return semantic == "NORMAL" && node.primitives[p].has_normals ? appender.normals(targets)
+                                                                          : addition.zeros.at(semantic);
           },
           targets_.targets);
     }
     addition.targets.push_back(std::move(target));
   }
-  return addition;
 }
 
 int Adding::animation_named(const std::string& name) const {
@@ -231,8 +257,10 @@ void Adding::add_animation(const WeightTrack& weights, int into) {
   const SamplerTrack track = sampler_track(weights);
   AnimationAddition animation{weights.name, into, {}};
   int input = -1;
-  for (const SolvedNode& node : source_.nodes) {
-    if (is_led(node.node, into)) continue;  // its channel is changed
+  for (std::size_t n = 0; n < source_.nodes.size(); ++n) {
+    const SolvedNode& node = source_.nodes[n];
+    const bool is_changed = is_led(node.node, into);  // its channel is
+    if (is_changed || !moves(targets_.split.nodes[n])) continue;
     if (input < 0) input = append_times(model_, track.times);
     const int output = append_values(with_own_weights(track, node).values);
     animation.channels.push_back({node.node, input, output});

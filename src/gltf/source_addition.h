@@ -8,6 +8,7 @@
 #include "flexkey/gltf/measure.h"
 #include "flexkey/gltf/quantize.h"
 #include "flexkey/gltf/read_gltf.h"
+#include "flexkey/gltf/split_source.h"
 #include "flexkey/gltf/targets.h"
 #include "flexkey/gltf/weight_tracks.h"
 
@@ -21,6 +22,7 @@ namespace flexkey {
 struct SourceTargets {
   std::vector<std::string> names;                   // #targets
   std::variant<Targets, QuantizedTargets> targets;  // of #V rows, in the space of each vertex's node
+  SourceSplit split;                                // which of its faces get them
   bool normals = true;                              // else the file's own are dropped: clients shade flat
   std::vector<WeightTrack> tracks;                  // an animation each
   std::string merge_into;  // an animation of the file that gets the first track's weights; empty: all are new

@@ -6,18 +6,18 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
-#include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
+#include <variant>
 
-#include "flexkey/gltf/accessors.h"
 #include "flexkey/gltf/extras.h"
 #include "flexkey/gltf/following_normals.h"
 #include "flexkey/gltf/graft.h"
-#include "flexkey/gltf/read_accessor.h"
+#include "flexkey/gltf/moved_vertices.h"
 #include "flexkey/gltf/reduction.h"
 #include "flexkey/gltf/source_addition.h"
+#include "flexkey/gltf/source_playback.h"
+#include "flexkey/gltf/split_source.h"
 #include "flexkey/mesh/error.h"
 
 namespace flexkey {
@@ -51,95 +51,10 @@ double largest_stretch(const GltfSource& source) {
   return largest;
 }
 
-/// One primitive's attribute as a client adds it up.
-struct Part {
-  Eigen::Matrix4d world;  // from the attribute's space to that of what it is compared with
-  FloatRows base;
-  std::vector<FloatRows> targets;
-};
-
-Positions shown_by(const std::vector<Part>& parts, Eigen::Index count, const Eigen::RowVectorXf& weights) {
-  Positions shown(count, 3);
-  Eigen::Index row = 0;
-  for (const Part& part : parts) {
-    FloatRows sum = part.base;
-    for (std::size_t t = 0; t < part.targets.size(); ++t) {
-      const float weight = weights[static_cast<Eigen::Index>(t)];
-      if (weight != 0) sum += weight * part.targets[t];
-    }
-    const Eigen::Matrix3d linear = part.world.topLeftCorner<3, 3>();
-    shown.middleRows(row, sum.rows()) =
-        (sum.cast<double>() * linear.transpose()).rowwise() + part.world.topRightCorner<3, 1>().transpose();
-    row += sum.rows();
-  }
-  return shown;
-}
-
-/// What the file will play, by the addition's accessors.
-class Playing {
- public:
-  Playing(const tinygltf::Model& model, const GltfSource& source, const Addition& addition)
-      : model_(model), source_(source), addition_(addition), scene_(parse_gltf_scene(source.document.json)) {}
-
-  PlayedAttribute positions() const { return attribute("POSITION"); }
-  PlayedAttribute normals() const { return attribute("NORMAL"); }
-
- private:
-  PlayedAttribute attribute(const char* semantic) const {
-    PlayedAttribute played;
-    for_each(semantic, [&](const SolvedNode& node, std::size_t p, const PrimitiveAddition&) {
-      const SolvedPrimitive& solved = node.primitives[p];
-      played.vertices.resize(played.vertices.size() + static_cast<std::size_t>(solved.vertex_count));
-      std::iota(played.vertices.end() - solved.vertex_count, played.vertices.end(), solved.first_vertex);
-    });
-    const auto count = static_cast<Eigen::Index>(played.vertices.size());
-    played.player = [this, semantic, count]() -> Player {
-      return [parts = parts_of(semantic), count](const Eigen::RowVectorXf& weights) {
-        return shown_by(parts, count, weights);
-      };
-    };
-    return played;
-  }
-
-  /// The primitives whose targets move the attribute.
-  template <class Visit>
-  void for_each(const std::string& semantic, Visit visit) const {
-    for (std::size_t n = 0; n < source_.nodes.size(); ++n) {
-      const SolvedNode& node = source_.nodes[n];
-      for (std::size_t p = 0; p < node.primitives.size(); ++p) {
-        const bool moves = semantic == "POSITION" || node.primitives[p].has_normals;
-        const PrimitiveAddition& addition = addition_.nodes[n].primitives[p];
-        if (moves && addition.targets.front().contains(semantic)) visit(node, p, addition);
-      }
-    }
-  }
-
-  std::vector<Part> parts_of(const std::string& semantic) const {
-    const AccessorReader reader(scene_, source_.document.bytes);
-    std::vector<Part> parts;
-    for_each(semantic, [&](const SolvedNode& node, std::size_t p, const PrimitiveAddition& addition) {
-      const auto& primitives = scene_.meshes[static_cast<std::size_t>(node.mesh)].primitives;
-      Part part;
-      part.world = semantic == "POSITION" ? node.world : Eigen::Matrix4d::Identity();
-      part.base = reader.rows(primitives[p].attributes.at(semantic), 3).cast<float>();
-      for (const GltfAttributes& target : addition.targets)
-        part.targets.push_back(read_rows(model_, target.at(semantic)));
-      parts.push_back(std::move(part));
-    });
-    return parts;
-  }
-
-  const tinygltf::Model& model_;
-  const GltfSource& source_;
-  const Addition& addition_;
-  GltfScene scene_;
-};
-
-int vertex_count(const GltfSource& source) {
-  int count = 0;
-  for (const SolvedNode& node : source.nodes)
-    for (const SolvedPrimitive& primitive : node.primitives) count += primitive.vertex_count;
-  return count;
+SourceSplit split_of(const GltfSource& source, const SourceTargets& targets, const GltfOptions& options) {
+  if (!options.split) return whole(source);
+  const auto moved = std::visit([](const auto& rows) { return moved_vertices(rows); }, targets.targets);
+  return split_source(source, moved);
 }
 
 /// The most targets that a solved mesh has already.
@@ -183,6 +98,7 @@ Built build_into_source(const Clip& clip, const GltfOptions& options, double str
   } else {
     targets.targets = std::move(reduction.targets);
   }
+  targets.split = split_of(source, targets, options);
   targets.tracks = tracks_of(clip, basis, options);
   tinygltf::Model model;
   model.buffers.emplace_back();
@@ -191,11 +107,12 @@ Built build_into_source(const Clip& clip, const GltfOptions& options, double str
   Built built;
   built.targets = own + static_cast<int>(basis.names.size());
   built.keys = static_cast<int>(basis.keys.size());
-  built.vertices = vertex_count(source);
+  for (const SplitNote& note : targets.split.notes) built.vertices += note.vertices;
+  if (options.split) built.splits = targets.split.notes;
   built.extensions = model.extensionsRequired;
-  const Playing playing(model, source, addition);
-  Played played{playing.positions(), {}, normals_at};
-  if (has_normals) played.normals = playing.normals();
+  const ExtendedSource extended{source, targets.split, addition, model};
+  Played played{played_by(extended, "POSITION"), {}, normals_at};
+  if (has_normals) played.normals = played_by(extended, "NORMAL");
   built.error = measure_playback(played, clip, basis, steps);
 
   model.meshes.emplace_back();  // for what is said of the clip

@@ -17,11 +17,12 @@
 #include "flexkey/gltf/measure.h"
 #include "flexkey/gltf/meshopt.h"
 #include "flexkey/gltf/morphs.h"
+#include "flexkey/gltf/moved_vertices.h"
 #include "flexkey/gltf/reduction.h"
 #include "flexkey/gltf/size_estimate.h"
 #include "flexkey/gltf/source_glb.h"
+#include "flexkey/gltf/split_asset.h"
 #include "flexkey/gltf/steps.h"
-#include "flexkey/gltf/utf8.h"
 #include "flexkey/gltf/weight_tracks.h"
 
 namespace flexkey {
@@ -30,15 +31,28 @@ namespace {
 constexpr int kManyTargets = 128;
 constexpr std::uintmax_t kGpuBytes = 32;  // of a target's position and normal in a client's texture
 
-void append_scene(tinygltf::Model& model, const Clip& clip) {
-  tinygltf::Node node;
-  node.name = valid_utf8(clip.name);
-  node.mesh = 0;
-  model.nodes.push_back(std::move(node));
+/// A node a mesh: what never moves hangs on what does, so that both go where one of them is put.
+void append_scene(tinygltf::Model& model) {
+  for (std::size_t mesh = 0; mesh < model.meshes.size(); ++mesh) {
+    tinygltf::Node node;
+    node.name = model.meshes[mesh].name;
+    node.mesh = static_cast<int>(mesh);
+    model.nodes.push_back(std::move(node));
+    if (mesh > 0) model.nodes[0].children.push_back(static_cast<int>(mesh));
+  }
   tinygltf::Scene scene;
   scene.nodes.push_back(0);
   model.scenes.push_back(std::move(scene));
   model.defaultScene = 0;
+}
+
+/// Appends the meshes; targets: floats or integers.
+AssetSplit append_meshes(tinygltf::Model& model, const Asset& asset, const GltfOptions& options,
+                         auto targets) {
+  AssetSplit split = options.split ? split_asset(asset, moved_vertices(targets)) : whole(asset);
+  append_morph_mesh(model, asset, split.moving, std::move(targets));
+  if (!split.still.empty()) append_still_mesh(model, asset, split.still);
+  return split;
 }
 
 Built build(const Asset& asset, const GltfOptions& options, double strictness, Steps& steps) {
@@ -50,12 +64,11 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness, S
   tinygltf::Model model;
   model.buffers.emplace_back();
   append_materials(model, clip.mesh, asset.primitives, asset.textures);
-  if (options.encoding == Encoding::meshopt) {
-    append_morph_mesh(model, asset, quantize_into(basis, reduction.targets, reduction.rounding));
-  } else {
-    append_morph_mesh(model, asset, std::move(reduction.targets));
-  }
-  append_scene(model, clip);
+  const AssetSplit split =
+      options.encoding == Encoding::meshopt
+          ? append_meshes(model, asset, options, quantize_into(basis, reduction.targets, reduction.rounding))
+          : append_meshes(model, asset, options, std::move(reduction.targets));
+  append_scene(model);
   Built built;
   for (const WeightTrack& track : tracks_of(clip, basis, options)) {
     built.animations.push_back({static_cast<int>(model.animations.size()), track.from, track.to});
@@ -63,9 +76,9 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness, S
   }
   built.targets = static_cast<int>(basis.names.size());
   built.keys = static_cast<int>(basis.keys.size());
-  for (const Primitive& primitive : asset.primitives)
-    built.vertices += static_cast<int>(primitive.vertices.size());
-  built.error = measure_playback(played_by(model, asset), clip, basis, steps);
+  built.vertices = split.note.vertices;
+  if (options.split) built.splits.push_back(split.note);
+  built.error = measure_playback(played_by(model, asset, split), clip, basis, steps);
   built.extensions = model.extensionsRequired;
   built.warnings = asset.textures.warnings;
   describe(model, clip, basis, options, built.error);
@@ -89,6 +102,10 @@ Built build_within_tolerance(const Clip& clip, const GltfOptions& options) {
   }
 }
 
+std::uintmax_t gpu_bytes(int vertices, int targets) {
+  return kGpuBytes * static_cast<std::uintmax_t>(vertices) * static_cast<std::uintmax_t>(targets);
+}
+
 GltfReport report_on(const Built& built, const GltfOptions& options) {
   GltfReport report;
   report.profile = profile_name(options);
@@ -99,8 +116,11 @@ GltfReport report_on(const Built& built, const GltfOptions& options) {
   report.kg_error = built.error.kg;
   report.normal_error_mean = built.error.normal_mean;
   report.normal_error_largest = built.error.normal_largest;
-  report.gpu_bytes =
-      kGpuBytes * static_cast<std::uintmax_t>(report.vertices) * static_cast<std::uintmax_t>(report.targets);
+  report.splits = built.splits;
+  report.target_vertices = report.splits.empty() ? report.vertices : 0;
+  for (const SplitNote& note : report.splits) report.target_vertices += note.targeted;
+  report.gpu_bytes = gpu_bytes(report.target_vertices, report.targets);
+  report.gpu_bytes_whole = gpu_bytes(report.vertices, report.targets);
   report.extensions = built.extensions;
   const bool has_meshopt = options.encoding == Encoding::meshopt;
   if (has_meshopt) report.extensions.emplace_back("EXT_meshopt_compression");

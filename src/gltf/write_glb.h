@@ -9,6 +9,7 @@
 
 #include "flexkey/animate/clip.h"
 #include "flexkey/gltf/compatibility.h"
+#include "flexkey/gltf/split_note.h"
 
 namespace flexkey {
 
@@ -46,6 +47,7 @@ struct GltfOptions {
   double tolerance =
       1e-3;             // of what plays, quantization included, a share of the rest diagonal; frames: unused
   bool normals = true;  // write smooth normals and their deltas; else none, and clients shade flat
+  bool split = false;   // faces that never move become a mesh of their own, where that saves targets
   std::vector<ClipRange> clips;        // one animation each; empty: one of the whole clip
   std::string animation;               // name of that one; empty: the clip's
   const GltfSource* source = nullptr;  // the file that the clip's mesh is of: the clip is written into it
@@ -66,13 +68,16 @@ struct GltfReport {
   std::string profile;
   int targets = 0;   // morph targets a mesh primitive
   int keys = 0;      // times at which weights are given
-  int vertices = 0;  // of all primitives, after splitting along UV and material seams
+  int vertices = 0;  // of all primitives, after parting along UV and material seams
   double error =
       0;  // largest vertex distance from the solved frames, read back, as a share of the rest diagonal
   double kg_error = 0;              // percent
   double normal_error_mean = 0;     // degrees, likewise
   double normal_error_largest = 0;  // degrees
+  int target_vertices = 0;          // of those that carry targets: fewer where meshes are split
   std::uintmax_t gpu_bytes = 0;  // that the targets take in a client: 32 a vertex and target, sparse or not
+  std::uintmax_t gpu_bytes_whole = 0;   // that they would take if no mesh were split
+  std::vector<SplitNote> splits;        // what became of each mesh; empty where no split was asked for
   std::vector<std::string> extensions;  // that a client must know
   std::vector<ClientNote> clients;      // whether well-known clients play it
   std::vector<std::string> warnings;

@@ -200,4 +200,41 @@ inline GltfBuilder tube_with_targets() {
   return file;
 }
 
+/// Two tubes in nodes that stretch, turn and mirror them.
+inline GltfBuilder two_tubes() {
+  GltfBuilder file;
+  file.add("meshes", {{"primitives", {add_tube(file)}}});
+  file.add("meshes", {{"primitives", {add_tube(file)}}});
+  file.add("nodes", {{"mesh", 0}, {"scale", {2, 1, 0.5}}, {"rotation", {0.6, 0, 0, 0.8}}});
+  file.add("nodes", {{"children", {2}}, {"translation", {5, 0, 0}}, {"scale", {-1, 3, 1}}});
+  file.add("nodes", {{"mesh", 1}, {"translation", {0, 1, 0}}});
+  file.add("scenes", {{"nodes", {0, 1}}});
+  return file;
+}
+
+/// The tube on one bone, with a clip that moves the bone, and a node transform that a skin does not obey.
+inline GltfBuilder skinned_tube() {
+  GltfBuilder file = tube_file();
+  const std::size_t count = static_cast<std::size_t>(Tube().vertex_count());
+  std::vector<std::uint8_t> joints(4 * count, 0);
+  std::vector<float> weights(4 * count, 0), identity(16, 0);
+  for (std::size_t v = 0; v < count; ++v) weights[4 * v] = 1;
+  for (std::size_t i = 0; i < 16; i += 5) identity[i] = 1;
+  GltfBuilder::json& attributes = file.root["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = file.add_accessor(joints, 4);
+  attributes["WEIGHTS_0"] = file.add_accessor(weights, 4);
+  file.add("skins", {{"joints", {1}}, {"inverseBindMatrices", file.add_accessor(identity, 16)}});
+  file.root["nodes"][0]["skin"] = 0;
+  file.root["nodes"][0]["translation"] = {100, 0, 0};
+  file.add("nodes", {{"name", "bone"}});
+  file.root["scenes"][0]["nodes"] = {0, 1};
+  const int times = file.add_accessor(std::vector<float>{0, 1}, 1),
+            values = file.add_points({{0, 0, 0}, {1, 0, 0}});
+  file.add("animations",
+           {{"name", "Walk"},
+            {"samplers", {{{"input", times}, {"output", values}}}},
+            {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}});
+  return file;
+}
+
 }  // namespace flexkey::meshes

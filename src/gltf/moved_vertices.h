@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "flexkey/gltf/quantize.h"
+#include "flexkey/gltf/targets.h"
+
+namespace flexkey {
+
+/// Which vertices any target moves or turns, #V.
+std::vector<bool> moved_vertices(const Targets& targets);
+std::vector<bool> moved_vertices(const QuantizedTargets& targets);
+
+}  // namespace flexkey
