@@ -25,6 +25,7 @@ GltfOptions gltf_options(const Shot& run, const LoadedShot& loaded) {
   options.tolerance = output.tolerance;
   options.normals = output.normals;
   options.max_targets = output.max_targets;
+  options.split = output.split;
   for (const NamedInterval& clip : run.clips)
     options.clips.push_back({clip.name, clip.time.from, clip.time.to});
   options.hash = loaded.hash;

@@ -49,22 +49,32 @@ json frame_json(const FrameReport& frame) {
           {"slipped", frame.slipped}};
 }
 
+json split_json(const SplitNote& note) {
+  return {{"mesh", note.mesh},         {"vertices", note.vertices},       {"moved", note.moved},
+          {"targeted", note.targeted}, {"split", note.why_whole.empty()}, {"why_whole", note.why_whole}};
+}
+
 json gltf_json(const WrittenFile& file) {
   const GltfReport& gltf = file.gltf;
   json clients = json::array();
   for (const ClientNote& note : gltf.clients)
     clients.push_back({{"client", note.client}, {"plays", note.plays}, {"why", note.why}});
+  json splits = json::array();
+  for (const SplitNote& note : gltf.splits) splits.push_back(split_json(note));
   return {{"path", file.path.string()},
           {"bytes", gltf.bytes},
           {"profile", gltf.profile},
           {"targets", gltf.targets},
           {"keys", gltf.keys},
           {"vertices", gltf.vertices},
+          {"target_vertices", gltf.target_vertices},
           {"error", gltf.error},
           {"kg_error", gltf.kg_error},
           {"normal_error_mean", gltf.normal_error_mean},
           {"normal_error_largest", gltf.normal_error_largest},
           {"gpu_bytes", gltf.gpu_bytes},
+          {"gpu_bytes_whole", gltf.gpu_bytes_whole},
+          {"splits", std::move(splits)},
           {"extensions", gltf.extensions},
           {"clients", std::move(clients)}};
 }
@@ -106,6 +116,26 @@ std::string clients_text(const std::vector<ClientNote>& notes) {
   std::string text = plays.empty() ? "" : fmt::format("plays in {}", fmt::join(plays, ", "));
   if (!fails.empty()) text += fmt::format("{}not in {}", text.empty() ? "" : "; ", fmt::join(fails, ", "));
   return text;
+}
+
+/// "3 targets of 80 vertices take 7.7 kB of GPU memory"
+std::string targets_text(const GltfReport& gltf) {
+  std::string text = fmt::format("         {} targets of {} vertices take {} of GPU memory", gltf.targets,
+                                 gltf.target_vertices, size_text(gltf.gpu_bytes));
+  if (gltf.gpu_bytes < gltf.gpu_bytes_whole)
+    text += fmt::format(", instead of {} of all {}", size_text(gltf.gpu_bytes_whole), gltf.vertices);
+  for (const SplitNote& note : gltf.splits)
+    if (!note.why_whole.empty())
+      text += fmt::format("\n         '{}' is not split: {}", note.mesh, note.why_whole);
+  return text + "\n";
+}
+
+std::string file_text(const WrittenFile& file, double seconds) {
+  const GltfReport& gltf = file.gltf;
+  return fmt::format(
+      "  write  {:6.2f} s   {}, {}\n         {}: {} targets, off by at most {:.2g} % of the diagonal; {}\n{}",
+      seconds, file.path.string(), size_text(gltf.bytes), gltf.profile, gltf.targets, 100 * gltf.error,
+      clients_text(gltf.clients), targets_text(gltf));
 }
 
 json run_json(const RunReport& run) {
@@ -182,12 +212,7 @@ std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& 
     if (const std::vector<int> slipped = run.slipped(); !slipped.empty())
       text += fmt::format("  slip   the surface lost a turn that its handles made: {}\n",
                           frames_text(slipped, run.frames.size(), "slipped"));
-    for (const WrittenFile& file : run.written)
-      text += fmt::format(
-          "  write  {:6.2f} s   {}, {}\n         {}: {} targets, off by at most {:.2g} % of the "
-          "diagonal; {}\n",
-          run.write_seconds, file.path.string(), size_text(file.gltf.bytes), file.gltf.profile,
-          file.gltf.targets, 100 * file.gltf.error, clients_text(file.gltf.clients));
+    for (const WrittenFile& file : run.written) text += file_text(file, run.write_seconds);
     for (const WrittenCache& cache : run.caches) text += cache_text(cache);
     for (const WrittenPage& page : run.pages) text += page_text(page);
   }

@@ -125,6 +125,9 @@ GltfOutput read_gltf_output(const Node& node, std::string_view place, Scope& sco
   if (const Node* handles = fields->value("handles")) {
     output.handles = read_switch(*handles, scope).value_or(output.handles);
   }
+  if (const Node* split = fields->value("split")) {
+    output.split = read_word<bool>(*split, "split", {{"none", false}, {"auto", true}}, scope).value_or(false);
+  }
   if (const Node* animation = fields->value("animation")) read_animation(*animation, output, scope);
   return output;
 }

@@ -119,6 +119,7 @@ struct GltfOutput {
   bool normals = true;         // `normals: smooth`
   int max_targets = 200;       // more are refused
   bool handles = false;        // written as animated nodes
+  bool split = false;          // `split: auto`: what never moves becomes a mesh without targets
   std::string animation = {};  // its name; empty: the shot's
   struct Merge {
     std::string name;  // of a clip of the mesh's file that gets the weights instead; empty: none

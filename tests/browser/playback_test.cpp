@@ -157,6 +157,29 @@ TEST_P(PlaybackOfProfile, ShowsTheNose) {
 INSTANTIATE_TEST_SUITE_P(, PlaybackOfProfile, ::testing::ValuesIn(profiles),
                          [](const auto& profile) { return profile.param.name; });
 
+TEST_F(Playback, ShowsWhatIsSplitWhereItWasSolved) {
+  const Clip clip = clip_of(sheet(12), 9, bump);
+  const std::vector<double> times = frame_times(clip);
+  for (const Profile& profile : {profiles[0], profiles[1]}) {
+    GltfOptions options = options_of(profile);
+    options.split = true;
+    const GltfReport report = write_glb(clip, options, glb());
+    EXPECT_EQ(report.splits.at(0).why_whole, "");
+    const std::vector<FloatRows> shapes = played(clip.name, times);
+    ASSERT_EQ(shapes.size(), times.size());
+    EXPECT_GT(shapes[0].rows(), report.vertices) << "border vertices are in both meshes";
+    double largest = 0;  // to the nearest vertex, since the meshes' vertices have no order in common
+    for (std::size_t k = 0; k < shapes.size(); ++k)
+      for (Eigen::Index row = 0; row < shapes[k].rows(); ++row) {
+        const Positions off = clip.frames[k].rowwise() - shapes[k].row(row).cast<double>();
+        largest = std::max(largest, off.rowwise().norm().minCoeff());
+      }
+    EXPECT_LE(largest / bounds_of(clip.mesh.positions).diagonal(), promise_of(profile) + 1e-6)
+        << profile.name;
+    EXPECT_GT((shapes.back() - shapes[0]).norm(), 0) << "nothing moves";
+  }
+}
+
 TEST_F(Playback, PlaysNamedClipsFromTheirOwnStarts) {
   const Clip clip = clip_of(sheet(6), 25, twist);
   GltfOptions options = options_of(profiles[1]);

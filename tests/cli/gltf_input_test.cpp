@@ -113,6 +113,33 @@ TEST_F(GltfInput, AnimateWritesTheFileWithAnAnimationMore) {
   }
 }
 
+TEST_F(GltfInput, TheReportSaysWhatTheTargetsTakeOfASplitMesh) {
+  write("shot.yaml",
+        "mesh: tube.glb\n"
+        "roi: {axis: z, above: 75%}\n"
+        "handles: {tip: {select: {axis: z, above: 99%}, move: {keys: {0s: [0, 0, 0], 0.5s: [1, 0, 0]}}}}\n"
+        "output: {gltf: {path: out.glb, profile: exact, split: auto}}\n");
+  const ProgramResult split = run({"animate", "shot.yaml", "--json"});
+  ASSERT_EQ(split.exit_code, 0) << split.errors;
+  const json output = json::parse(split.output)["runs"][0]["outputs"][0];
+  EXPECT_EQ(output["splits"][0]["mesh"], "tube");
+  EXPECT_EQ(output["splits"][0]["split"], true);
+  EXPECT_EQ(output["splits"][0]["targeted"], output["target_vertices"]);
+  EXPECT_LT(output["target_vertices"], output["vertices"]);
+  const auto gpu_bytes = [&](const char* vertices) {
+    return 32 * output[vertices].get<int>() * output["targets"].get<int>();
+  };
+  EXPECT_EQ(output["gpu_bytes"], gpu_bytes("target_vertices"));
+  EXPECT_EQ(output["gpu_bytes_whole"], gpu_bytes("vertices"));
+  EXPECT_THAT(
+      run({"animate", "shot.yaml"}).errors,
+      HasSubstr("13 targets of 36 vertices take 15.0 kB of GPU memory, instead of 26.2 kB of all 63"));
+  EXPECT_THAT(run({"animate", "shot.yaml", "--set", "roi.above=10%"}).errors,
+              HasSubstr("'tube' is not split: "));
+  EXPECT_THAT(run({"animate", "shot.yaml", "--set", "output.gltf.split=none"}).errors,
+              HasSubstr("13 targets of 63 vertices take 26.2 kB of GPU memory\n"));
+}
+
 TEST_F(GltfInput, WhatWasWrittenCanBeAnimatedAgain) {
   ASSERT_EQ(run({"animate", "shot.yaml"}).exit_code, 0);
   write("again.yaml", shot("out.glb"));

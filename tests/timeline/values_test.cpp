@@ -313,6 +313,12 @@ TEST(Output, HandlesAsNodes) {
   EXPECT_TRUE(parse(with_base("output: {gltf: {path: a.glb, handles: true}}\n")).gltf.handles);
 }
 
+TEST(Output, SplitsMeshesOnRequest) {
+  EXPECT_FALSE(gltf_of("").split);
+  EXPECT_FALSE(gltf_of(", split: none").split);
+  EXPECT_TRUE(gltf_of(", split: auto").split);
+}
+
 TEST(Output, AnimationForms) {
   const auto gltf = [](const std::string& animation) {
     return parse(with_base("output: {gltf: {path: a.glb, animation: " + animation + "}}\n")).gltf;
