@@ -98,8 +98,13 @@ void add_gltf_bars(Table& table, const GltfResult& result) {
   add(table, fmt::format("{}: dense / compat", clip), Sense::at_least, is_long ? 3 : 2,
       result.dense / compat);
   add(table, fmt::format("{}: dense / web", clip), Sense::at_least, is_long ? 25 : 12, result.dense / web);
-  if (result.gltfpack > 0)
-    add(table, fmt::format("{}: gltfpack -cc / web", clip), Sense::at_least, 4, result.gltfpack / web);
+  for (const Packed& packed : result.packed) {
+    if (packed.options != "-cc") continue;
+    add(table, fmt::format("{}: gltfpack -cc / web at its error", clip), Sense::at_least, 4,
+        packed.bytes / static_cast<double>(packed.web.report.bytes));
+    add(table, fmt::format("{}: that web's error / gltfpack's", clip), Sense::at_most, 1,
+        packed.web.report.error / packed.error);
+  }
   if (is_long)
     add(table, fmt::format("{}: web's export, CPU seconds", clip), Sense::at_most,
         std::max(5.0, result.solve_seconds), result.web.seconds);
@@ -134,7 +139,10 @@ std::vector<Table> all_tables(const Results& results) {
     if (!results.study->shots.empty()) tables.push_back(shot_table(*results.study));
     tables.push_back(honesty_table(*results.study));
   }
-  if (!results.gltf.empty()) tables.push_back(gltf_table(results.gltf));
+  if (!results.gltf.empty()) {
+    tables.push_back(gltf_table(results.gltf));
+    tables.push_back(gltfpack_table(results.gltf));
+  }
   tables.push_back(bar_table(results));
   return tables;
 }

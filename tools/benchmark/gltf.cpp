@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <optional>
 #include <system_error>
 
 #include "flexkey/animate/animate.h"
@@ -12,6 +13,7 @@
 #include "flexkey/mesh/read_mesh.h"
 #include "flexkey/timeline/parse.h"
 #include "motion.h"
+#include "played_glb.h"
 
 namespace flexkey::bench {
 namespace {
@@ -80,16 +82,44 @@ Written write(const Clip& clip, const GltfOptions& options, const fs::path& path
   return written;
 }
 
-/// Bytes that gltfpack makes of a file, 0 where it is not installed.
-double packed(const fs::path& dense, const fs::path& path) {
-  const std::string command = fmt::format(
-      "node tools/benchmark/node_modules/.bin/gltfpack -cc -kn -i '{}' -o '{}' "
-      ">/dev/null 2>&1",
-      dense.string(), path.string());
-  std::error_code missing;
-  if (std::system(command.c_str()) != 0) return 0;  // NOLINT(concurrency-mt-unsafe): nothing else runs
-  const std::uintmax_t bytes = fs::file_size(path, missing);
-  return missing ? 0 : static_cast<double>(bytes);
+GltfOptions web_options() {
+  GltfOptions web;
+  web.basis = BasisKind::pca;
+  web.encoding = Encoding::meshopt;
+  return web;
+}
+
+/// What gltfpack makes of a clip's dense file; none where it is not installed.
+std::optional<Packed> packed(const fs::path& dense, const std::string& options, const Clip& clip) {
+  const fs::path path = dense.parent_path() / "packed.glb";
+  const std::string command =
+      fmt::format("node tools/benchmark/node_modules/.bin/gltfpack {} -kn -i '{}' -o '{}' >/dev/null 2>&1",
+                  options, dense.string(), path.string());
+  if (std::system(command.c_str()) != 0) return {};  // NOLINT(concurrency-mt-unsafe): nothing else runs
+  return Packed{options, static_cast<double>(fs::file_size(path)), error_of(path, clip), {}};
+}
+
+/// With the fewest bits a coordinate that are within the default tolerance.
+std::optional<Packed> coarsely_packed(const fs::path& dense, const Clip& clip) {
+  constexpr int most_bits = 16;
+  for (int bits = 8; bits <= most_bits; ++bits) {
+    std::optional<Packed> result = packed(dense, fmt::format("-cc -af 0 -vp {}", bits), clip);
+    if (!result || result->error <= GltfOptions().tolerance) return result;
+  }
+  return {};
+}
+
+std::vector<Packed> packed_beside_web(const fs::path& dense, const Clip& clip) {
+  std::vector<Packed> all;
+  for (std::optional<Packed> one :
+       {packed(dense, "-cc", clip), packed(dense, "-cc -af 0", clip), coarsely_packed(dense, clip)}) {
+    if (!one) continue;
+    GltfOptions web = web_options();
+    web.tolerance = one->error;
+    one->web = write(clip, web, dense.parent_path() / "near.glb");
+    all.push_back(std::move(*one));
+  }
+  return all;
 }
 
 GltfResult measure_clip(const std::string& name, const std::function<Clip()>& solve) {
@@ -97,11 +127,9 @@ GltfResult measure_clip(const std::string& name, const std::function<Clip()>& so
   Clip clip;
   result.solve_seconds = seconds_of([&] { clip = solve(); });
   const Scratch scratch;
-  GltfOptions dense, web;
+  GltfOptions dense;
   dense.basis = BasisKind::frames;
   dense.max_targets = static_cast<int>(clip.frames.size());
-  web.basis = BasisKind::pca;
-  web.encoding = Encoding::meshopt;
   const GltfReport whole = write_glb(clip, dense, scratch / "dense.glb");
   result.name = name;
   result.frames = static_cast<int>(clip.frames.size());
@@ -109,8 +137,8 @@ GltfResult measure_clip(const std::string& name, const std::function<Clip()>& so
   constexpr double floats = 4, numbers = 6;  // of a position and a normal
   result.dense = floats * numbers * whole.vertices * (1.0 + result.frames);
   result.compat = write(clip, {}, scratch / "compat.glb");
-  result.web = write(clip, web, scratch / "web.glb");
-  result.gltfpack = packed(scratch / "dense.glb", scratch / "packed.glb");
+  result.web = write(clip, web_options(), scratch / "web.glb");
+  result.packed = packed_beside_web(scratch / "dense.glb", clip);
   return result;
 }
 

@@ -38,6 +38,7 @@ Table honesty_table(const Study& study);
 
 /// Targets, bytes and errors of the sample clips' files.
 Table gltf_table(const std::vector<GltfResult>& results);
+Table gltfpack_table(const std::vector<GltfResult>& results);
 
 /// What flexkey has set itself to reach, beside what was measured.
 Table bar_table(const Results& results);
