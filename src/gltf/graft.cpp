@@ -8,6 +8,7 @@
 
 #include "flexkey/gltf/float_rows.h"
 #include "flexkey/gltf/split_note.h"
+#include "flexkey/gltf/unique_name.h"
 
 namespace flexkey {
 namespace {
@@ -253,11 +254,7 @@ void Grafting::name_targets(json& mesh, std::size_t own) const {
     for (std::size_t target = 0; target < own; ++target) names.push_back(fmt::format("target_{}", target));
   }
   std::set<std::string> known = names.get<std::set<std::string>>();
-  for (const std::string& name : addition_.names) {
-    std::string unique = name;
-    for (int number = 2; !known.insert(unique).second; ++number) unique = fmt::format("{}_{}", name, number);
-    names.push_back(unique);
-  }
+  for (const std::string& name : addition_.names) names.push_back(unique_name(name, known));
 }
 
 void Grafting::append_node(const NewNode& node) {

@@ -5,10 +5,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
 
 #include "flexkey/gltf/accessors.h"
 #include "flexkey/gltf/gltf_scene.h"
+#include "flexkey/gltf/unique_name.h"
 #include "flexkey/gltf/utf8.h"
 
 namespace flexkey {
@@ -69,43 +71,55 @@ FloatRows times_of(const Clip& clip, const std::vector<std::size_t>& frames, dou
   return times;
 }
 
-/// The channels of what is ever away from rest. channel: its node and times.
-std::vector<NewChannel> channels_of(tinygltf::Model& model, const NodeMotion& motion, NewChannel channel) {
-  std::vector<NewChannel> channels;
-  const auto add = [&](const char* path, const FloatRows& rows, const Eigen::RowVectorXf& rest) {
-    if (rows == rest.replicate(rows.rows(), 1)) return;
-    channel.path = path;
-    channel.output = append_values(model, rows);
-    channels.push_back(channel);
+/// Values of one of a node's channels, a row a frame.
+struct Path {
+  std::string name;
+  FloatRows rows;
+};
+
+/// What of a motion is ever away from rest.
+std::vector<Path> moving_paths(const NodeMotion& motion) {
+  std::vector<Path> paths;
+  const auto add = [&](const char* name, const FloatRows& rows, const Eigen::RowVectorXf& rest) {
+    if (rows != rest.replicate(rows.rows(), 1)) paths.push_back({name, rows});
   };
   add("translation", motion.translations, motion.pivot.cast<float>().transpose());
   add("rotation", motion.rotations, Eigen::RowVector4f(0, 0, 0, 1));
   add("scale", motion.scales, Eigen::RowVector3f::Ones());
-  return channels;
+  return paths;
+}
+
+/// A node a handle, of a name that no other node has: what reads the motion back finds it by that.
+std::vector<NewNode> nodes_of(const GltfScene& scene, const std::vector<HandleTrack>& handles) {
+  std::set<std::string> known;
+  for (const GltfNode& node : scene.nodes) known.insert(node.name);
+  std::vector<NewNode> nodes;
+  for (const HandleTrack& handle : handles)
+    nodes.push_back({unique_name(valid_utf8(handle.name), known), handle.pivot});
+  return nodes;
 }
 
 }  // namespace
 
 Addition add_handles(const Glb& file, const Clip& clip, const std::vector<HandleTrack>& handles,
                      const std::vector<PlayedRange>& ranges) {
-  const int first_node = static_cast<int>(parse_gltf_scene(file.json).nodes.size());
+  const GltfScene scene = parse_gltf_scene(file.json);
+  const int first_node = static_cast<int>(scene.nodes.size());
   tinygltf::Model model;
   model.buffers.emplace_back();
   Addition addition;
-  for (const HandleTrack& handle : handles)
-    addition.new_nodes.push_back({valid_utf8(handle.name), handle.pivot});
+  addition.new_nodes = nodes_of(scene, handles);
   for (const PlayedRange& range : ranges) {
     const std::vector<std::size_t> frames = frames_within(clip, range);
     if (frames.empty()) continue;
     AnimationAddition animation{"", range.animation, {}};
-    const int input = append_times(model, times_of(clip, frames, range.from));
-    for (std::size_t h = 0; h < handles.size(); ++h) {
-      NewChannel channel;
-      channel.node = first_node + static_cast<int>(h);
-      channel.input = input;
-      const std::vector<NewChannel> channels = channels_of(model, motion_of(handles[h], frames), channel);
-      animation.channels.insert(animation.channels.end(), channels.begin(), channels.end());
-    }
+    int input = -1;  // none where no handle moves
+    for (std::size_t h = 0; h < handles.size(); ++h)
+      for (const Path& path : moving_paths(motion_of(handles[h], frames))) {
+        if (input < 0) input = append_times(model, times_of(clip, frames, range.from));
+        const int node = first_node + static_cast<int>(h);
+        animation.channels.push_back({node, input, append_values(model, path.rows), path.name});
+      }
     addition.animations.push_back(std::move(animation));
   }
   addition.glb = glb_of(std::move(model));

@@ -16,7 +16,8 @@ struct PlayedRange {
 };
 
 /// A node a handle for this file: at rest at the handle's pivot, and led by channels of each animation as the
-/// handle was, a key a frame. Handles that neither turn, nor move, nor grow have no channels.
+/// handle was, a key a frame. Handles that neither turn, nor move, nor grow have no channels. A name that a
+/// node has already gets a number behind it.
 Addition add_handles(const Glb& file, const Clip& clip, const std::vector<HandleTrack>& handles,
                      const std::vector<PlayedRange>& ranges);
 

@@ -111,6 +111,33 @@ TEST(HandleNodes, StandInTheFileOfTheMeshToo) {
   expect_tip(model, 2, 0);
 }
 
+TEST(HandleNodes, HaveNamesOfTheirOwn) {
+  const TemporaryFolder folder;
+  const GltfFile file = read_gltf(meshes::tube_file().save(folder / "in.glb"));
+  GltfOptions options;
+  options.source = &file.source;
+  options.handles = base_and_tip(20);
+  options.handles[0].name = "tube";
+  options.handles[1].name = "tube_2";
+  write_glb(clip_of(file.file.mesh, 20, twist), options, folder / "out.glb");
+  const tinygltf::Model model = load_glb(folder / "out.glb");
+  EXPECT_EQ(model.nodes.at(0).name, "tube");
+  EXPECT_EQ(model.nodes.at(1).name, "tube_2");
+  EXPECT_EQ(model.nodes.at(2).name, "tube_2_2");
+}
+
+TEST(HandleNodes, ThatNeverMoveAddNoAccessor) {
+  const TemporaryFolder folder;
+  GltfOptions options;
+  const auto accessors_of = [&] {
+    write_glb(clip_of(cube(), 20, twist), options, folder / "shot.glb");
+    return load_glb(folder / "shot.glb").accessors.size();
+  };
+  const std::size_t without = accessors_of();
+  options.handles = {base_and_tip(20).front()};
+  EXPECT_EQ(accessors_of(), without);
+}
+
 TEST(HandleNodes, EveryClipPlaysItsFrames) {
   const TemporaryFolder folder;
   GltfOptions options;
