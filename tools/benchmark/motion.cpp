@@ -148,7 +148,7 @@ Motion shot_motion(const std::filesystem::path& timeline) {
   HandleStates before = rest_states(scene);
   for (int frame = 0; frame < shot.frame_count(); ++frame) {
     const HandleStates now = sample_states(scene, frame / shot.fps);
-    const Positions targets = targets_of(scene, now), turns = turns_between(before, now);
+    const Positions targets = targets_of(scene, now), turns = turns_between(scene, before, now);
     if (turns.rowwise().norm().maxCoeff() > shot.solver.max_step)
       throw Error(shot.name + " turns by more than max_step in a frame");
     if (targets != targets_of(scene, before)) motion.frames.push_back({targets, turns});
