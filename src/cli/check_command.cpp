@@ -34,9 +34,15 @@ std::vector<const char*> motions_of(const Handle& handle) {
   std::vector<const char*> motions;
   if (!handle.move.empty()) motions.push_back("move");
   if (!handle.to.empty()) motions.push_back("to");
-  if (!handle.rotate.empty()) motions.push_back("rotate");
+  if (handle.follow) motions.push_back("follow");
+  if (!handle.rotate.empty() || !handle.euler.keys.empty()) motions.push_back("rotate");
   if (!handle.scale.empty()) motions.push_back("scale");
   if (!handle.curve.empty()) motions.push_back("curve");
+  if (!handle.layers.empty()) motions.push_back("pose or motion");
+  if (!handle.waves.empty()) motions.push_back("wave");
+  if (!handle.noises.empty()) motions.push_back("noise");
+  if (handle.mirror) motions.push_back("mirror");
+  if (handle.parent >= 0) motions.push_back("parent");
   return motions;
 }
 

@@ -16,4 +16,12 @@ int run_export(const ShotOptions& options);
 /// `flexkey check`: parses, loads, resolves every selection, prints a summary. Returns an ExitCode.
 int run_check(const ShotOptions& options);
 
+struct InspectOptions {
+  std::string mesh;  // a path
+  bool json = false;
+};
+
+/// `flexkey inspect`: counts, bounds, parts and defects of a mesh. Returns an ExitCode.
+int run_inspect(const InspectOptions& options);
+
 }  // namespace flexkey::cli

@@ -5,15 +5,14 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 
+#include "cli/mesh_input.h"
 #include "cli/output_paths.h"
 #include "cli/timeline_files.h"
 #include "flexkey/gltf/read_gltf.h"
 #include "flexkey/mesh/defects.h"
 #include "flexkey/mesh/read_file.h"
-#include "flexkey/mesh/read_mesh.h"
 #include "flexkey/mesh/spelling.h"
 #include "flexkey/mesh/weld.h"
 #include "flexkey/timeline/parse.h"
@@ -28,37 +27,20 @@ fs::path folder_of(const std::string& timeline) {
   return timeline == "-" ? fs::path() : fs::path(timeline).parent_path();
 }
 
-std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
-bool is_gltf(const fs::path& path) {
-  const std::string extension = lower_extension(path);
-  return extension == ".glb" || extension == ".gltf";
-}
-
-/// Reads the nodes that the shot names; one that is not there is blamed on its place.
-GltfFile read_named_nodes(const Shot& shot, const fs::path& path, const std::vector<Override>& overrides) {
-  std::vector<std::string> names;
-  for (const NodeName& node : shot.mesh.nodes) names.push_back(node.name);
-  try {
-    return read_gltf(path, names);
-  } catch (const UnknownNodeError& error) {
-    throw TimelineError(shot.file, {error_at(shot.mesh.nodes[error.which()].where, error.what(), overrides)});
-  }
-}
-
-/// Reads the shot's mesh; a file that is not there is blamed on the line that names it.
-GltfFile read_named_mesh(const Shot& shot, const fs::path& path, const std::vector<Override>& overrides) {
+/// Reads the shot's mesh; a file or a node that is not there is blamed on the line that names it.
+MeshInput read_named_mesh(const Shot& shot, const fs::path& path, const std::vector<Override>& overrides) {
   std::error_code ignored;
   const Mark where = shot.mesh.where;
   if (where.line > 0 && !fs::exists(path, ignored))
     throw InputError(fmt::format("{}:{}:{}: cannot read '{}': No such file or directory", shot.file,
                                  where.line, where.column, path.string()));
-  if (is_gltf(path)) return read_named_nodes(shot, path, overrides);
-  return {read_mesh(path), {}};
+  std::vector<std::string> names;
+  for (const NodeName& node : shot.mesh.nodes) names.push_back(node.name);
+  try {
+    return read_mesh_input(path, names);
+  } catch (const UnknownNodeError& error) {
+    throw TimelineError(shot.file, {error_at(shot.mesh.nodes[error.which()].where, error.what(), overrides)});
+  }
 }
 
 int frames_to_write(const LoadedShot& loaded, const ShotOptions& options) {
@@ -107,10 +89,10 @@ LoadedShot load_shot(const ShotOptions& options) {
     loaded.warnings.push_back(format_diagnostic(loaded.shot.file, warning));
 
   loaded.mesh_path = files.folder / loaded.shot.mesh.file;
-  GltfFile named = read_named_mesh(loaded.shot, loaded.mesh_path, overrides);
+  MeshInput named = read_named_mesh(loaded.shot, loaded.mesh_path, overrides);
   MeshFile& file = named.file;
   loaded.mesh = std::move(file.mesh);
-  if (is_gltf(loaded.mesh_path)) loaded.source = std::move(named.source);
+  loaded.source = std::move(named.source);
   for (const std::string& warning : file.warnings) loaded.warnings.push_back("warning: " + warning);
   for (const std::string& line : describe(find_defects(weld(loaded.mesh).surface)))
     loaded.warnings.push_back(fmt::format("warning: {}: {}", loaded.mesh_path.string(), line));

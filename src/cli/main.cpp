@@ -81,8 +81,8 @@ int guarded(Command command) {
 
 /// What is wrong with the command's name, or nothing; flags and no name at all are left to CLI11.
 std::string unknown_command(int argc, char** argv) {
-  const std::vector<std::string> built{"animate", "solve", "export", "check"};
-  const std::vector<std::string> planned{"render", "inspect", "init", "pick", "watch", "schema"};
+  const std::vector<std::string> built{"animate", "solve", "export", "check", "inspect"};
+  const std::vector<std::string> planned{"render", "init", "pick", "watch", "schema"};
   if (argc < 2 || argv[1][0] == '-') return {};
   const std::string name = argv[1];
   if (std::find(built.begin(), built.end(), name) != built.end()) return {};
@@ -123,6 +123,15 @@ int main(int argc, char** argv) {
   add_shot_options(*check, options);
   check->footer("Example:\n  flexkey check timelines/leg.yaml --json\n");
 
+  InspectOptions inspect_options;
+  CLI::App* inspect =
+      app.add_subcommand("inspect", "Print a mesh's counts, bounds, groups, components, borders and defects");
+  inspect->add_option("mesh", inspect_options.mesh, "Mesh file: OBJ, GLB or glTF")
+      ->required()
+      ->type_name("MESH");
+  inspect->add_flag("--json", inspect_options.json, "Print them as JSON");
+  inspect->footer("Example:\n  flexkey inspect timelines/meshes/pig.obj\n");
+
   report_failed_writes();
   if (const std::string unknown = unknown_command(argc, argv); !unknown.empty()) {
     say(fmt::format("flexkey: error: {}\n", unknown));
@@ -139,5 +148,6 @@ int main(int argc, char** argv) {
   if (animate->parsed()) return guarded([&] { return run_animate(options); });
   if (solve->parsed()) return guarded([&] { return run_solve(options); });
   if (write->parsed()) return guarded([&] { return run_export(options); });
+  if (inspect->parsed()) return guarded([&] { return run_inspect(inspect_options); });
   return guarded([&] { return run_check(options); });
 }
