@@ -1,0 +1,63 @@
+#include "flexkey/preview/light.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace flexkey {
+namespace {
+
+// Irradiances are over pi: 1 shows a white matte surface as white.
+const Rgb kKey(0.86f, 0.81f, 0.74f);
+const Rgb kSky(0.40f, 0.42f, 0.45f);
+const Rgb kBounce(0.20f, 0.185f, 0.17f);
+const Rgb kFill(0.13f, 0.14f, 0.155f);
+const Rgb kRim(0.10f, 0.105f, 0.11f);
+constexpr float kKeySize = 0.22f;  // radius of the key light at a distance of one
+constexpr float kGloss = 0.045f;   // of clay that has been smoothed by hand
+
+float smoothstep(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+Light::Light(const View& view, const Eigen::Vector3f& vertical, float floor_height)
+    : up(vertical), floor(floor_height) {
+  const Eigen::Vector3f toward = view.right.cross(up);  // level, from the scene to the viewer
+  key = (-0.62f * view.right + 1.0f * up + 0.55f * toward).normalized();
+  fill = (0.85f * view.right + 0.25f * up + 0.5f * toward).normalized();
+  key_side = kKeySize * key.cross(up).normalized();
+  key_front = kKeySize * key.cross(key_side).normalized();
+}
+
+Rgb shade(const Light& light, const Spot& spot, const Reached& reached) {
+  if (!spot.is_lit) return spot.colour;
+  const Eigen::Vector3f& n = spot.normal;
+  const float facing = std::max(n.dot(light.key), 0.0f);
+  const float upward = 0.5f + 0.5f * n.dot(light.up);
+  const float wrapped = std::max(0.3f + 0.7f * n.dot(light.fill), 0.0f);
+  const Rgb sky = upward * kSky + (1 - upward) * kBounce + wrapped * kFill;
+  const Rgb diffuse = facing * reached.key * kKey + reached.sky * sky;
+
+  const Eigen::Vector3f half = (light.key + spot.view).normalized();
+  const float gloss = kGloss * std::pow(std::max(n.dot(half), 0.0f), 24.0f) * reached.key;
+  const float edge = std::pow(1 - std::clamp(n.dot(spot.view), 0.0f, 1.0f), 3.0f);
+  return spot.colour.cwiseProduct(diffuse) + gloss * kKey + edge * upward * reached.sky * kRim;
+}
+
+Rgb backdrop(float x, float y) {
+  static const Rgb middle = from_srgb({0.940f, 0.934f, 0.924f}), corner = from_srgb({0.790f, 0.793f, 0.798f});
+  const float distance = std::hypot((x - 0.5f) * 1.15f, (y - 0.52f) * 1.05f);
+  const float share = smoothstep(0.05f, 0.95f, distance);
+  return (1 - share) * middle + share * corner;
+}
+
+float ground_shade(const Reached& reached, float distance) {
+  const float lit = 0.5f * reached.key + 0.5f * reached.sky;
+  const float strength = 0.72f * (1 - smoothstep(0.6f, 2.2f, distance));
+  return 1 - strength * (1 - lit);
+}
+
+}  // namespace flexkey

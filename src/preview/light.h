@@ -1,0 +1,43 @@
+#pragma once
+
+#include "flexkey/preview/colour.h"
+#include "flexkey/preview/view.h"
+
+namespace flexkey {
+
+/// A studio that turns with the camera: a large warm key light above its left shoulder, a cool sky, bounce
+/// from the floor and a faint rim. Lengths in unit space.
+struct Light {
+  Eigen::Vector3f key;                  // towards the middle of the key light
+  Eigen::Vector3f key_side, key_front;  // half axes of its disc, at a distance of one
+  Eigen::Vector3f fill;                 // towards the soft light from the right
+  Eigen::Vector3f up;
+  float floor = 0;  // height of the ground
+
+  Light(const View& view, const Eigen::Vector3f& vertical, float floor_height);
+};
+
+/// What light meets at a point of a surface.
+struct Spot {
+  Eigen::Vector3f position, normal;  // the normal is smooth and faces the viewer
+  Eigen::Vector3f face;              // the triangle's own normal, on the same side
+  Eigen::Vector3f view;              // towards the viewer
+  Rgb colour;                        // diffuse reflectance, or what is seen where no light is asked for
+  bool is_lit = true;
+};
+
+/// The share of the key light and of the sky that reach a spot, 0..1.
+struct Reached {
+  float key = 1, sky = 1;
+};
+
+/// Light that a spot sends to the viewer.
+Rgb shade(const Light& light, const Spot& spot, const Reached& reached);
+
+/// A paper roll behind everything, lighter in the middle: at shares of the picture's width and height.
+Rgb backdrop(float x, float y);
+
+/// What the ground leaves of the backdrop, 0..1, at a distance from the middle of the clip.
+float ground_shade(const Reached& reached, float distance);
+
+}  // namespace flexkey
