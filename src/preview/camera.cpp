@@ -73,6 +73,38 @@ Vec3 centred_place(const Camera& camera, const Opening& opening, const Reach& re
   return x * camera.right + y * camera.up + z * camera.forward;
 }
 
+/// Extremes of what is seen along one axis of the picture: slope and depth of the outermost points.
+struct Extremes {
+  double low = kInfinity, low_depth = 0, high = -kInfinity, high_depth = 0;
+
+  void add(double offset, double depth) {
+    const double slope = offset / depth;
+    if (slope < low) low = slope, low_depth = depth;
+    if (slope > high) high = slope, high_depth = depth;
+  }
+  /// The step that leaves as much room on one side as on the other, if these points stay the outermost.
+  double step() const { return low_depth * high_depth * (low + high) / (low_depth + high_depth); }
+};
+
+/// Where a camera that is farther off than its other direction asks for has the same room on both sides.
+Vec3 evened_place(const Camera& camera, Vec3 place, std::span<const Positions> frames) {
+  constexpr int steps = 3;  // the outermost points rarely change after the first
+  for (int k = 0; k < steps; ++k) {
+    Extremes across, along;
+    for (const Positions& frame : frames) {
+      for (Eigen::Index v = 0; v < frame.rows(); ++v) {
+        const Vec3 p = frame.row(v).transpose() - place;
+        const double depth = p.dot(camera.forward);
+        if (depth <= 0) return place;  // a point that touches the camera
+        across.add(p.dot(camera.right), depth);
+        along.add(p.dot(camera.up), depth);
+      }
+    }
+    place += across.step() * camera.right + along.step() * camera.up;
+  }
+  return place;
+}
+
 /// The nearest place on the line through `centre` from which everything is seen. The reach is that of points
 /// relative to the centre: one step back along the line takes `across` or `along` off it.
 Vec3 place_behind(const Camera& camera, const Opening& opening, const Reach& reach) {
@@ -151,7 +183,7 @@ Camera fit_camera(const CameraSettings& settings, std::span<const Positions> fra
   } else if (settings.look_at || is_turning) {
     camera.position = place_behind(camera, opening, reach);
   } else {
-    camera.position = middle + centred_place(camera, opening, reach);
+    camera.position = evened_place(camera, middle + centred_place(camera, opening, reach), frames);
   }
   // One point alone is framed from any distance: stand off a little.
   const double least = std::max(1e-3 * bounds.diagonal(), 1e-6 * (1 + middle.norm()));

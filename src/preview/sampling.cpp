@@ -30,6 +30,13 @@ float fraction(std::uint32_t x) {
   return static_cast<float>(x >> 8) * 0x1p-24f;
 }
 
+float dither(const PixelSample& sample, std::uint32_t use) {
+  const double x = sample.x + 5.588238 * use, y = sample.y + 5.588238 * use;
+  const double inner = 0.06711056 * x + 0.00583715 * y;
+  const double outer = 52.9829189 * (inner - std::floor(inner));
+  return static_cast<float>(outer - std::floor(outer));
+}
+
 float wrapped(float x) {
   return x < 1 ? x : x - 1;
 }
@@ -37,12 +44,12 @@ float wrapped(float x) {
 }  // namespace
 
 Eigen::Vector2f PixelSample::at(Purpose purpose) const {
-  const std::uint32_t first = hash(x + hash(y + hash(static_cast<std::uint32_t>(purpose))));
-  const std::uint32_t second = hash(first), third = hash(second);
+  const auto use = static_cast<std::uint32_t>(purpose);
   const auto n = static_cast<std::uint32_t>(count);
-  const std::uint32_t k = (static_cast<std::uint32_t>(index) + third % n) % n;
+  const std::uint32_t k = (static_cast<std::uint32_t>(index) + hash(x + hash(y + hash(use))) % n) % n;
   const float even = static_cast<float>(k) / static_cast<float>(n);
-  return {wrapped(even + fraction(first)), wrapped(fraction(reversed_bits(k)) + fraction(second))};
+  return {wrapped(even + dither(*this, 2 * use) / static_cast<float>(n)),
+          wrapped(fraction(reversed_bits(k)) + dither(*this, 2 * use + 1))};
 }
 
 Eigen::Vector2f on_disc(const Eigen::Vector2f& square) {
