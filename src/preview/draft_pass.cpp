@@ -40,7 +40,7 @@ Rgb ground_colour(const Studio& studio, const Ray& ray, const Rgb& behind, bool 
   const float distance = ground_distance(studio.light, ray);
   if (distance < 0) return behind;
   const Reached reached{is_shadowed ? kDraftShadow : 1.0f, is_shadowed ? kDraftSky : 1.0f};
-  return ground_shade(reached, (ray.origin + distance * ray.direction).norm()) * behind;
+  return ground_response(behind, (ray.origin + distance * ray.direction).norm()).under(reached);
 }
 
 }  // namespace
@@ -63,7 +63,8 @@ Picture draft_picture(const Studio& studio) {
         colour = ground_colour(studio, ray, behind, shadow[pixel] != 0);
       } else {
         const Hit hit = hit_of(fragments[pixel], studio.frame, view, ray);
-        colour = shade(studio.light, spot_at(studio.frame, view, hit, ray), {1, kDraftSky});
+        const Spot spot = spot_at(studio.frame, view, hit, ray);
+        colour = spot_response(studio.light, spot).under({1, kDraftSky});
       }
     }
   });

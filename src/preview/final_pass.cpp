@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexkey/preview/negative.h"
 #include "flexkey/preview/sampling.h"
 
 namespace flexkey {
@@ -19,7 +20,6 @@ constexpr int kTile = 16;            // pixels a side
 constexpr float kLift = 2e-4f;       // keeps rays off the triangle that they start from
 constexpr float kSkyReach = 0.35f;   // from here on nothing dims the sky
 constexpr float kFloorGlow = 0.45f;  // what the floor gives back of the sky that it hides
-constexpr float kGroundEdge = 2.2f;  // from here on the ground is the backdrop
 
 /// What a sample sees.
 struct Seen {
@@ -96,12 +96,18 @@ Vector3f sky_direction(const Spot& spot, const PixelSample& sample) {
   return direction;
 }
 
-/// Each sample's light: one ray to the key light, and one to the sky whose reach is drawn from 0 to
-/// kSkyReach, so that nearer things dim it more.
-std::array<Reached, kLanes> gather(const Studio& studio, const Tracer& tracer, const Samples& samples,
-                                   const std::array<Seen, kLanes>& seen) {
-  Rays to_key, to_sky;
+/// What the rays to the light of some samples have found; a lane that asked for none counts as reached.
+struct Gathered {
   std::array<Reached, kLanes> reached;
+  std::bitset<kLanes> has_key, has_sky;  // lanes that asked
+};
+
+/// One ray to the key light, and one to the sky whose reach is drawn from 0 to kSkyReach, so that nearer
+/// things dim it more.
+Gathered gather(const Studio& studio, const Tracer& tracer, const Samples& samples,
+                const std::array<Seen, kLanes>& seen) {
+  Rays to_key, to_sky;
+  Gathered gathered;
   for (std::size_t k = 0; k < samples.count; ++k) {
     const Spot& spot = seen[k].spot;
     if (seen[k].what == Seen::What::backdrop || !spot.is_lit) continue;
@@ -111,42 +117,52 @@ std::array<Reached, kLanes> gather(const Studio& studio, const Tracer& tracer, c
     const float reach = kSkyReach * samples.lanes[k].at(Purpose::reach).x();
     to_sky.set(k, sky, reach);
     const float floor = ground_distance(studio.light, sky);
-    if (seen[k].what == Seen::What::solid && floor >= 0 && floor < reach) reached[k].sky = kFloorGlow;
+    if (seen[k].what == Seen::What::solid && floor >= 0 && floor < reach)
+      gathered.reached[k].sky = kFloorGlow;
   }
+  gathered.has_key = to_key.is_active;
+  gathered.has_sky = to_sky.is_active;
   const std::bitset<kLanes> no_key = tracer.blocked(to_key), no_sky = tracer.blocked(to_sky);
   for (std::size_t k = 0; k < samples.count; ++k) {
-    if (no_key[k]) reached[k].key = 0;
-    if (no_sky[k]) reached[k].sky = 0;
+    if (no_key[k]) gathered.reached[k].key = 0;
+    if (no_sky[k]) gathered.reached[k].sky = 0;
   }
-  return reached;
+  return gathered;
 }
 
-Rgb colour_of(const Studio& studio, const PixelSample& sample, const Seen& seen, const Reached& reached) {
-  if (seen.what == Seen::What::solid) return shade(studio.light, seen.spot, reached);
+Response response_of(const Studio& studio, const PixelSample& sample, const Seen& seen) {
+  if (seen.what == Seen::What::solid) return spot_response(studio.light, seen.spot);
   const Rgb behind = backdrop((static_cast<float>(sample.x) + 0.5f) / static_cast<float>(studio.view.width),
                               (static_cast<float>(sample.y) + 0.5f) / static_cast<float>(studio.view.height));
-  if (seen.what == Seen::What::backdrop) return behind;
-  return ground_shade(reached, seen.spot.position.norm()) * behind;
+  if (seen.what == Seen::What::ground) return ground_response(behind, seen.spot.position.norm());
+  return {behind, Rgb::Zero(), Rgb::Zero()};
 }
 
-void add_samples(const Studio& studio, const Tracer& tracer, const Samples& samples, Picture& picture) {
+void add_samples(const Studio& studio, const Tracer& tracer, const Samples& samples, Negative& negative) {
   const std::array<Seen, kLanes> seen = look(studio, tracer, samples);
-  const std::array<Reached, kLanes> reached = gather(studio, tracer, samples, seen);
+  const Gathered light = gather(studio, tracer, samples, seen);
   for (std::size_t k = 0; k < samples.count; ++k) {
     const PixelSample& sample = samples.lanes[k];
-    const std::size_t pixel =
-        static_cast<std::size_t>(sample.y) * static_cast<std::size_t>(picture.width) + sample.x;
-    Eigen::Map<Rgb> sum(picture.rgb.data() + 3 * pixel);
-    sum += colour_of(studio, sample, seen[k], reached[k]) / static_cast<float>(sample.count);
+    LitPixel& pixel = negative.at(static_cast<int>(sample.x), static_cast<int>(sample.y));
+    const float share = 1 / static_cast<float>(sample.count);
+    const Response response = response_of(studio, sample, seen[k]);
+    pixel.response.flat += share * response.flat;
+    pixel.response.by_key += share * response.by_key;
+    pixel.response.by_sky += share * response.by_sky;
+    if (light.has_key[k]) pixel.key.add(light.reached[k].key, share);
+    if (light.has_sky[k]) pixel.sky.add(light.reached[k].sky, share);
+    if (seen[k].what == Seen::What::backdrop) continue;
+    pixel.position += share * seen[k].spot.position;
+    pixel.normal += share * seen[k].spot.normal;
   }
 }
 
 /// The samples of a tile, pixel by pixel, in bundles that are the same for every run.
 void trace_tile(const Studio& studio, const Tracer& tracer, const tbb::blocked_range2d<int>& tile, int count,
-                Picture& picture) {
+                Negative& negative) {
   Samples samples;
   const auto flush = [&] {
-    if (samples.count > 0) add_samples(studio, tracer, samples, picture);
+    if (samples.count > 0) add_samples(studio, tracer, samples, negative);
     samples.count = 0;
   };
   for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
@@ -169,20 +185,18 @@ float ground_distance(const Light& light, const Ray& ray) {
 }
 
 Picture trace_picture(const Studio& studio, const Tracer& tracer, int samples) {
-  Picture picture{studio.view.width, studio.view.height, {}};
-  picture.rgb.assign(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
-                     0.0f);
-  const int rows = (picture.height + kTile - 1) / kTile, columns = (picture.width + kTile - 1) / kTile;
+  Negative negative(studio.view.width, studio.view.height);
+  const int rows = (negative.height + kTile - 1) / kTile, columns = (negative.width + kTile - 1) / kTile;
   tbb::parallel_for(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1), [&](const auto& tiles) {
     for (int row = tiles.rows().begin(); row < tiles.rows().end(); ++row) {
       for (int column = tiles.cols().begin(); column < tiles.cols().end(); ++column) {
-        const tbb::blocked_range2d<int> tile(row * kTile, std::min((row + 1) * kTile, picture.height),
-                                             column * kTile, std::min((column + 1) * kTile, picture.width));
-        trace_tile(studio, tracer, tile, samples, picture);
+        const tbb::blocked_range2d<int> tile(row * kTile, std::min((row + 1) * kTile, negative.height),
+                                             column * kTile, std::min((column + 1) * kTile, negative.width));
+        trace_tile(studio, tracer, tile, samples, negative);
       }
     }
   });
-  return picture;
+  return develop(negative, samples);
 }
 
 }  // namespace flexkey

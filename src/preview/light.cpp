@@ -32,19 +32,28 @@ Light::Light(const View& view, const Eigen::Vector3f& vertical, float floor_heig
   key_front = kKeySize * key.cross(key_side).normalized();
 }
 
-Rgb shade(const Light& light, const Spot& spot, const Reached& reached) {
-  if (!spot.is_lit) return spot.colour;
+Response spot_response(const Light& light, const Spot& spot) {
+  Response response;
+  if (!spot.is_lit) {
+    response.flat = spot.colour;
+    return response;
+  }
   const Eigen::Vector3f& n = spot.normal;
   const float facing = std::max(n.dot(light.key), 0.0f);
   const float upward = 0.5f + 0.5f * n.dot(light.up);
   const float wrapped = std::max(0.3f + 0.7f * n.dot(light.fill), 0.0f);
-  const Rgb sky = upward * kSky + (1 - upward) * kBounce + wrapped * kFill;
-  const Rgb diffuse = facing * reached.key * kKey + reached.sky * sky;
-
   const Eigen::Vector3f half = (light.key + spot.view).normalized();
-  const float gloss = kGloss * std::pow(std::max(n.dot(half), 0.0f), 24.0f) * reached.key;
+  const float gloss = kGloss * std::pow(std::max(n.dot(half), 0.0f), 24.0f);
   const float edge = std::pow(1 - std::clamp(n.dot(spot.view), 0.0f, 1.0f), 3.0f);
-  return spot.colour.cwiseProduct(diffuse) + gloss * kKey + edge * upward * reached.sky * kRim;
+  const Rgb sky = upward * kSky + (1 - upward) * kBounce + wrapped * kFill;
+  response.by_key = (facing * spot.colour + Rgb::Constant(gloss)).cwiseProduct(kKey);
+  response.by_sky = spot.colour.cwiseProduct(sky) + edge * upward * kRim;
+  return response;
+}
+
+Response ground_response(const Rgb& behind, float distance) {
+  const float strength = 0.72f * (1 - smoothstep(0.6f, kGroundEdge, distance));
+  return {(1 - strength) * behind, 0.5f * strength * behind, 0.5f * strength * behind};
 }
 
 Rgb backdrop(float x, float y) {
@@ -52,12 +61,6 @@ Rgb backdrop(float x, float y) {
   const float distance = std::hypot((x - 0.5f) * 1.15f, (y - 0.52f) * 1.05f);
   const float share = smoothstep(0.05f, 0.95f, distance);
   return (1 - share) * middle + share * corner;
-}
-
-float ground_shade(const Reached& reached, float distance) {
-  const float lit = 0.5f * reached.key + 0.5f * reached.sky;
-  const float strength = 0.72f * (1 - smoothstep(0.6f, 2.2f, distance));
-  return 1 - strength * (1 - lit);
 }
 
 }  // namespace flexkey

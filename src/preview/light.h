@@ -31,13 +31,22 @@ struct Reached {
   float key = 1, sky = 1;
 };
 
-/// Light that a spot sends to the viewer.
-Rgb shade(const Light& light, const Spot& spot, const Reached& reached);
+/// The light that the viewer receives, by how much of each source gets through.
+struct Response {
+  Rgb flat = Rgb::Zero(), by_key = Rgb::Zero(), by_sky = Rgb::Zero();
+
+  Rgb under(const Reached& reached) const { return flat + reached.key * by_key + reached.sky * by_sky; }
+};
+
+/// Of a spot of the surface or of a mark.
+Response spot_response(const Light& light, const Spot& spot);
+
+/// Of the ground in front of a backdrop of this colour: it only shows shadows, and none at kGroundEdge from
+/// the middle of the clip.
+inline constexpr float kGroundEdge = 2.2f;
+Response ground_response(const Rgb& behind, float distance);
 
 /// A paper roll behind everything, lighter in the middle: at shares of the picture's width and height.
 Rgb backdrop(float x, float y);
-
-/// What the ground leaves of the backdrop, 0..1, at a distance from the middle of the clip.
-float ground_shade(const Reached& reached, float distance);
 
 }  // namespace flexkey

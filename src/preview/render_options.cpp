@@ -10,7 +10,7 @@ namespace flexkey {
 namespace {
 
 constexpr int kLongestSide = 16'384;      // what image formats and viewers take
-constexpr long kMostPixels = 64'000'000;  // 768 MB in linear floats
+constexpr long kMostPixels = 36'000'000;  // 3 GB while a picture is made; 7680 x 4320 fits
 constexpr int kMostSamples = 4096;
 
 void require(bool holds, const std::string& problem) {

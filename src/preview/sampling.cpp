@@ -30,9 +30,12 @@ float fraction(std::uint32_t x) {
   return static_cast<float>(x >> 8) * 0x1p-24f;
 }
 
-float dither(const PixelSample& sample, std::uint32_t use) {
-  const double x = sample.x + 5.588238 * use, y = sample.y + 5.588238 * use;
-  const double inner = 0.06711056 * x + 0.00583715 * y;
+/// Jimenez's interleaved gradient noise (SIGGRAPH 2014): the values of any 3 x 3 pixels lie about evenly in
+/// [0, 1), so that an average over neighbours has little noise left. Uses are patterns far apart in one
+/// plane.
+float interleaved(const PixelSample& sample, std::uint32_t use) {
+  const double apart = 5.588238 * use;
+  const double inner = 0.06711056 * (sample.x + apart) + 0.00583715 * (sample.y + apart);
   const double outer = 52.9829189 * (inner - std::floor(inner));
   return static_cast<float>(outer - std::floor(outer));
 }
@@ -44,12 +47,11 @@ float wrapped(float x) {
 }  // namespace
 
 Eigen::Vector2f PixelSample::at(Purpose purpose) const {
-  const auto use = static_cast<std::uint32_t>(purpose);
-  const auto n = static_cast<std::uint32_t>(count);
-  const std::uint32_t k = (static_cast<std::uint32_t>(index) + hash(x + hash(y + hash(use))) % n) % n;
-  const float even = static_cast<float>(k) / static_cast<float>(n);
-  return {wrapped(even + dither(*this, 2 * use) / static_cast<float>(n)),
-          wrapped(fraction(reversed_bits(k)) + dither(*this, 2 * use + 1))};
+  const auto use = static_cast<std::uint32_t>(purpose), n = static_cast<std::uint32_t>(count);
+  const std::uint32_t start = hash(x + hash(y + hash(use)));
+  const std::uint32_t k = (static_cast<std::uint32_t>(index) + start % n) % n;
+  const float even = (static_cast<float>(k) + interleaved(*this, 2 * use)) / static_cast<float>(n);
+  return {wrapped(even), wrapped(fraction(reversed_bits(k)) + interleaved(*this, 2 * use + 1))};
 }
 
 Eigen::Vector2f on_disc(const Eigen::Vector2f& square) {

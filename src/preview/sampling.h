@@ -8,8 +8,9 @@ namespace flexkey {
 /// What the random numbers of a pixel's samples are for; each use is independent of the others.
 enum class Purpose : std::uint32_t { pixel, key, sky, reach };
 
-/// The sample `index` of `count` of a pixel, in the unit square: a Hammersley set, shifted and rotated by a
-/// hash of the pixel (Cranley and Patterson 1976). It depends on nothing else: neither threads nor frames.
+/// The sample `index` of `count` of a pixel, in the unit square: a Hammersley set, shifted from pixel to
+/// pixel (Cranley and Patterson 1976) and paired anew for each purpose. It depends on nothing else: neither
+/// threads nor frames.
 struct PixelSample {
   std::uint32_t x = 0, y = 0;
   int index = 0, count = 1;
