@@ -8,9 +8,9 @@ namespace flexkey {
 namespace {
 
 // Irradiances are over pi: 1 shows a white matte surface as white.
-const Rgb kKey(0.86f, 0.81f, 0.74f);
-const Rgb kSky(0.40f, 0.42f, 0.45f);
-const Rgb kBounce(0.20f, 0.185f, 0.17f);
+const Rgb kKey(0.90f, 0.845f, 0.77f);
+const Rgb kSky(0.375f, 0.395f, 0.425f);
+const Rgb kBounce(0.165f, 0.152f, 0.14f);
 const Rgb kFill(0.13f, 0.14f, 0.155f);
 const Rgb kRim(0.10f, 0.105f, 0.11f);
 constexpr float kKeySize = 0.22f;  // radius of the key light at a distance of one
@@ -52,7 +52,7 @@ Response spot_response(const Light& light, const Spot& spot) {
 }
 
 Response ground_response(const Rgb& behind, float distance) {
-  const float strength = 0.72f * (1 - smoothstep(0.6f, kGroundEdge, distance));
+  const float strength = 0.78f * (1 - smoothstep(0.6f, kGroundEdge, distance));
   return {(1 - strength) * behind, 0.5f * strength * behind, 0.5f * strength * behind};
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "flexkey/mesh/error.h"
 #include "flexkey/preview/draft_pass.h"
@@ -46,7 +47,7 @@ struct Renderer::Impl {
   float floor;
   Subdivision subdivision;
   Normals normals;
-  Tracer tracer;
+  std::optional<Tracer> tracer;  // for Quality::final
   Points rest;
   float dot_radius;
   std::vector<std::string> warnings;
@@ -65,8 +66,8 @@ Renderer::Impl::Impl(const Mesh& rest_mesh, const Bounds& bounds, RenderOptions 
       floor(space.place(bounds.min).dot(up_vector(options.up).cast<float>())),
       subdivision(mesh, options.subdivide, options.weld),
       normals(subdivision.surface()),
-      tracer(subdivision.surface()),
       rest(refined(mesh.positions)) {
+  if (options.quality == Quality::final) tracer.emplace(subdivision.surface());
   const auto halvings = static_cast<float>(1 << (subdivision.warning().empty() ? options.subdivide : 0));
   dot_radius = std::min(kLargestDot, kDotOfEdge * halvings * median_edge(subdivision.surface(), rest));
   if (!subdivision.warning().empty()) warnings.push_back(subdivision.warning());
@@ -142,8 +143,8 @@ Picture Renderer::render(const FrameState& frame, const Camera& camera) {
   if (options.style == Style::wire) drawn.wire_radius = kWireOfPixel * view.step * view.origin.norm();
   const Studio studio{view, light, drawn};
   if (options.quality == Quality::draft) return draft_picture(studio);
-  impl_->tracer.update(drawn);
-  return trace_picture(studio, impl_->tracer, options.samples);
+  impl_->tracer->update(drawn);
+  return trace_picture(studio, *impl_->tracer, options.samples);
 }
 
 }  // namespace flexkey

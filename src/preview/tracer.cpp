@@ -39,6 +39,12 @@ void check(RTCDevice device) {
     throw Error(fmt::format("Embree cannot trace the frame: error {}", static_cast<int>(error)));
 }
 
+Device make_device() {
+  Device device(rtcNewDevice(nullptr));
+  if (!device) throw Error("Embree does not run on this processor; draft quality does");
+  return device;
+}
+
 /// A new buffer of `count` items of a geometry. Embree pads it for its vector loads.
 template <class Item>
 Item* new_buffer(const Geometry& geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
@@ -128,7 +134,7 @@ void Rays::set(std::size_t lane, const Ray& ray, float far) {
 }
 
 struct Tracer::Scene {
-  Device device{rtcNewDevice(nullptr)};
+  Device device = make_device();
   SceneHandle scene{rtcNewScene(device.get())};
   Geometry surface{rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE)};
   float* vertices = nullptr;
