@@ -15,6 +15,8 @@ namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 using Descriptor = Far::TopologyDescriptor;
 using Factory = Far::TopologyRefinerFactory<Descriptor>;
+// Not StencilTableFactory, which casts its tables to a type that they are not.
+using StencilFactory = Far::StencilTableFactoryReal<float>;
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
 std::size_t index(int i) {
@@ -68,11 +70,11 @@ Refiner make_refiner(const ControlMesh& control, const Mesh& source, int level) 
   return refiner;
 }
 
-Stencils make_stencils(const Far::TopologyRefiner& refiner, Far::StencilTableFactory::Mode mode) {
-  Far::StencilTableFactory::Options options;
+Stencils make_stencils(const Far::TopologyRefiner& refiner, StencilFactory::Mode mode) {
+  StencilFactory::Options options;
   options.interpolationMode = static_cast<unsigned>(mode) & 3u;  // a field of two bits
   options.generateIntermediateLevels = false;
-  const std::unique_ptr<const Far::StencilTable> table(Far::StencilTableFactory::Create(refiner, options));
+  const std::unique_ptr<const Far::StencilTableReal<float>> table(StencilFactory::Create(refiner, options));
   Stencils stencils;
   stencils.offsets.assign(1, 0);
   for (const int size : table->GetSizes()) stencils.offsets.push_back(stencils.offsets.back() + size);
@@ -85,7 +87,7 @@ Stencils make_stencils(const Far::TopologyRefiner& refiner, Far::StencilTableFac
 Points refine_texcoords(const Far::TopologyRefiner& refiner, const TexCoords& texcoords) {
   Points values = Points::Zero(texcoords.rows() + 1, 3);
   values.topLeftCorner(texcoords.rows(), 2) = texcoords.cast<float>();
-  return apply(make_stencils(refiner, Far::StencilTableFactory::INTERPOLATE_FACE_VARYING), values);
+  return apply(make_stencils(refiner, StencilFactory::INTERPOLATE_FACE_VARYING), values);
 }
 
 /// Face of the first level that a face of the last one is part of.
@@ -145,7 +147,7 @@ std::vector<int> follow_vertices(const Far::TopologyRefiner& refiner, std::vecto
 Refined refine(const ControlMesh& control, const Mesh& source, int level) {
   const Refiner refiner = make_refiner(control, source, level);
   Refined refined;
-  refined.stencils = make_stencils(*refiner, Far::StencilTableFactory::INTERPOLATE_VERTEX);
+  refined.stencils = make_stencils(*refiner, StencilFactory::INTERPOLATE_VERTEX);
   refined.surface.vertex_count = refiner->GetLevel(level).GetNumVertices();
   add_triangles(refined.surface, *refiner, control, source.texcoords);
   refined.surface.wires = control_edges(*refiner);
