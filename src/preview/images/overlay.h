@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "flexkey/preview/picture.h"
+
+namespace flexkey {
+
+/// One moment of a clip.
+struct Moment {
+  int frame = 0;
+  double time = 0;    // seconds
+  double lambda = 0;  // 0 smooth .. 1 rigid
+};
+
+/// Lays a dark band along the picture's lower edge: on the left the time, frame and λ of now, beside them the
+/// curve of λ over the clip (moments in order, not empty), bright up to now.
+void draw_overlay(Picture& picture, const std::vector<Moment>& clip, const Moment& now);
+
+}  // namespace flexkey

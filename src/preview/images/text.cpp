@@ -1,0 +1,23 @@
+#include "flexkey/preview/images/text.h"
+
+#include "flexkey/preview/images/module.h"
+
+namespace flexkey {
+
+void write_text(Picture& picture, int x, int baseline, const std::string& text, const TextStyle& style) {
+  const Coverage coverage = image_module().text_coverage(text, style.size);
+  const int end = coverage.left + coverage.width;  // from the line's start
+  const int shift = style.align == Align::left ? 0 : style.align == Align::centre ? end / 2 : end;
+  lay_over(picture, coverage, x - shift + coverage.left, baseline + coverage.top, style.colour);
+}
+
+int text_width(const std::string& text, int size) {
+  const Coverage coverage = image_module().text_coverage(text, size);
+  return coverage.left + coverage.width;
+}
+
+int digit_height(int size) {
+  return -image_module().text_coverage("0", size).top;
+}
+
+}  // namespace flexkey
