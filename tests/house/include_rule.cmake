@@ -13,7 +13,8 @@ set(cli_may "mesh;timeline;deform;animate;cache;gltf;html;preview;cli")
 # Third-party headers by the one stage whose .cpp files may name them.
 set(third_party
   "tiny_obj_loader=mesh" "yaml-cpp/=timeline" "metis=deform" "cholmod=deform" "tbb/=deform|animate|gltf|preview|cli"
-  "tiny_gltf=gltf" "meshoptimizer=gltf" "opensubdiv/=preview" "embree=preview" "OpenImageIO=preview" "CLI/=cli" "xxhash=animate|cli"
+  "tiny_gltf=gltf" "meshoptimizer=gltf" "opensubdiv/=preview" "embree=preview" "OpenImageIO=preview"
+  "gif_lib=preview" "webp/=preview" "ft2build=preview" "CLI/=cli" "xxhash=animate|cli"
   "zip\\.h=cache"
   "nlohmann=gltf|html|cli" "fmt/=mesh|timeline|deform|animate|cache|gltf|html|preview|cli")
 

@@ -41,7 +41,7 @@ void draw_legend(Picture& picture, const Legend& legend) {
   const Rectangle bar{picture.width - width - 2 * space,
                       2 * space + (legend.title.empty() ? 0 : line + space), width, unit};
   const int bottom = bar.top + bar.height + space + line;
-  fill(picture, {bar.left - space, space, width + 2 * space, bottom}, {colour_from_srgb(18, 18, 22), 0.85f});
+  fill(picture, {bar.left - space, space, width + 2 * space, bottom}, {colour_from_srgb(18, 18, 22), 0.95f});
   draw_bar(picture, bar, legend.colours);
 
   const Colour text = colour_from_srgb(240, 240, 240);

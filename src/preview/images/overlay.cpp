@@ -86,9 +86,9 @@ void draw_curve(Picture& picture, const Strip& strip, const std::vector<Moment>&
 
 void draw_overlay(Picture& picture, const std::vector<Moment>& clip, const Moment& now) {
   const Band band = band_of(picture);
-  fill(picture, {0, band.top, picture.width, band.height}, {Colours().band, 0.85f});
+  fill(picture, {0, band.top, picture.width, band.height}, {Colours().band, 0.95f});
   const int end = write_moment(picture, band, clip.back(), now);
-  const double inset = band.height * 0.25;
+  const double inset = band.height * 0.2;
   const Strip strip{end + 0.5,         picture.width - band.margin - 0.5,
                     band.top + inset,  picture.height - inset,
                     clip.front().time, clip.back().time};

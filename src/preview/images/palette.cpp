@@ -55,21 +55,35 @@ Box box_of(Samples samples) {
   return box;
 }
 
-/// The two halves of a box on either side of its mean; one of them is empty where nothing parts them.
-std::array<Samples, 2> halves(const Box& box) {
-  const auto below = [&](const Sample& sample) { return sample.colour[box.widest] < box.mean[box.widest]; };
-  const auto middle = std::partition(box.samples.begin(), box.samples.end(), below);
-  const auto first = static_cast<std::size_t>(middle - box.samples.begin());
-  return {box.samples.first(first), box.samples.subspan(first)};
+/// The two parts of a box, cut where their means lie farthest apart for their weights (Otsu's criterion), so
+/// that a few pixels of another colour come off whole. One part is empty where nothing parts them.
+std::array<Samples, 2> cut(const Box& box) {
+  const std::size_t c = box.widest;
+  std::sort(box.samples.begin(), box.samples.end(), [&](const Sample& a, const Sample& b) {
+    return a.colour[c] != b.colour[c] ? a.colour[c] < b.colour[c] : a.colour < b.colour;
+  });
+  const Moments all = moments_of(box.samples);
+  double weight = 0, sum = 0, most = 0;
+  std::size_t best = 0;
+  for (std::size_t i = 0; i + 1 < box.samples.size(); ++i) {
+    weight += box.samples[i].weight;
+    sum += box.samples[i].weight * box.samples[i].colour[c];
+    const double rest = all.first[c] - sum;
+    const double apart = sum * sum / weight + rest * rest / (all.weight - weight);
+    if (apart <= most || box.samples[i].colour[c] == box.samples[i + 1].colour[c]) continue;
+    most = apart;
+    best = i + 1;
+  }
+  return {box.samples.first(best), box.samples.subspan(best)};
 }
 
-std::vector<Srgb> median_cut(Samples samples, std::size_t most) {
+std::vector<Srgb> cut_boxes(Samples samples, std::size_t most) {
   std::vector<Box> boxes{box_of(samples)};
   const auto narrower = [](const Box& a, const Box& b) { return a.spread < b.spread; };
   while (boxes.size() < most) {
     const auto widest = std::max_element(boxes.begin(), boxes.end(), narrower);
     if (widest->spread < 1e-3) break;
-    const std::array<Samples, 2> parts = halves(*widest);
+    const std::array<Samples, 2> parts = cut(*widest);
     if (parts[0].empty() || parts[1].empty()) {  // equal but for rounding
       widest->spread = 0;
       continue;
@@ -128,7 +142,7 @@ std::vector<Sample> ColourCount::samples() const {
 
 std::vector<Srgb> make_palette(std::vector<Sample> samples, std::size_t most) {
   if (samples.empty()) return {};
-  std::vector<Srgb> colours = median_cut(samples, most);
+  std::vector<Srgb> colours = cut_boxes(samples, most);
   for (int step = 0; step < lloyd_steps; ++step) lloyd_step(samples, colours);
   for (Srgb& colour : colours)
     for (float& channel : colour) channel = std::round(channel);
