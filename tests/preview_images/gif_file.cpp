@@ -81,7 +81,7 @@ GifFile::Frame read_frame(Reader& reader, GifFile& gif, const std::string& palet
   frame.width = reader.word();
   frame.height = reader.word();
   frame.delay = control.delay;
-  if (reader.byte() & 0x80) ++gif.local_palettes;
+  if ((reader.byte() & 0xc0) != 0) throw std::runtime_error("a frame with its own palette, or interlaced");
   const int least_bits = reader.byte();
   const std::vector<std::uint8_t> indices = unpack(reader.blocks(), least_bits);
   if (indices.size() != static_cast<std::size_t>(frame.width * frame.height))

@@ -6,7 +6,7 @@
 
 namespace flexkey::test {
 
-/// A GIF read by the letter of its specification, without giflib.
+/// A GIF with one palette for all its frames, read by the letter of its specification, without giflib.
 struct GifFile {
   struct Frame {
     int left = 0, top = 0, width = 0, height = 0;
@@ -14,7 +14,6 @@ struct GifFile {
     std::vector<std::uint8_t> rgb;  // the whole screen while it is shown, sRGB
   };
   int width = 0, height = 0;
-  int local_palettes = 0;
   int repeats = -1;  // 0: for ever; -1: not said
   std::vector<Frame> frames;
 };

@@ -47,7 +47,6 @@ TEST_F(Gif, HasEveryFrameAndRepeatsForEver) {
   EXPECT_EQ(gif.height, 40);
   EXPECT_EQ(gif.frames.size(), 20u);
   EXPECT_EQ(gif.repeats, 0);
-  EXPECT_EQ(gif.local_palettes, 0);
   EXPECT_THAT(delays_of(gif), testing::Each(10));
 }
 
