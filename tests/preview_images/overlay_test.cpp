@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexkey/preview/images/colour_bar.h"
 #include "flexkey/preview/images/draw.h"
-#include "flexkey/preview/images/legend.h"
 #include "flexkey/preview/images/srgb.h"
 #include "flexkey/preview/images/text.h"
 #include "preview_images/test_folder.h"
@@ -16,7 +16,12 @@ namespace flexkey {
 namespace {
 
 using Overlay = test::TestFolder;
-constexpr Colour grey{0.5f, 0.5f, 0.5f};
+const Rgb grey(0.5f, 0.5f, 0.5f);
+
+/// From blue to red.
+Rgb cold_to_hot(float share) {
+  return {share, 0, 1 - share};
+}
 
 const float* pixel(const Picture& picture, int x, int y) {
   return &picture.rgb[static_cast<std::size_t>(y * picture.width + x) * 3];
@@ -79,16 +84,16 @@ TEST_F(Overlay, SmallPicturesAndOneFrameAreNoTrouble) {
   for (const int width : {1, 16, 100, 300}) {
     Picture picture = blank_picture(width, std::max(1, width / 2), grey);
     draw_overlay(picture, {{0, 0, 0.5}}, {0, 0, 0.5});
-    draw_legend(picture, {"displacement", {{0, 0, 1}, {1, 0, 0}}, 0, 1});
+    draw_colour_bar(picture, {"displacement", 0, 1, cold_to_hot});
     EXPECT_EQ(picture.width, width);
     EXPECT_TRUE(std::all_of(picture.rgb.begin(), picture.rgb.end(),
                             [](float value) { return value >= 0 && value <= 1; }));
   }
 }
 
-TEST_F(Overlay, ALegendShowsItsColoursFromLowToHigh) {
+TEST_F(Overlay, AColourBarShowsItsColoursFromLowToHigh) {
   Picture picture = blank_picture(960, 540, grey);
-  draw_legend(picture, {"displacement", {{0, 0, 1}, {1, 0, 0}}, 0, 0.125});
+  draw_colour_bar(picture, {"displacement", 0, 0.125, cold_to_hot});
   int first = 960, last = 0, row = 0;
   for (int y = 0; y < 540; ++y)
     for (int x = 0; x < 960; ++x) {
@@ -107,19 +112,19 @@ TEST_F(Overlay, ALegendShowsItsColoursFromLowToHigh) {
 }
 
 TEST_F(Overlay, LinesCoverPixelsByTheirShare) {
-  Picture picture = blank_picture(20, 20, {});
+  Picture picture = blank_picture(20, 20, Rgb::Zero());
   const Point ends[2] = {{-5, 10}, {25, 10}};  // between two rows
   draw_line(picture, ends, 2, {{1, 1, 1}});
   EXPECT_FLOAT_EQ(pixel(picture, 10, 9)[0], 1);
   EXPECT_FLOAT_EQ(pixel(picture, 10, 10)[0], 1);
   EXPECT_FLOAT_EQ(pixel(picture, 10, 8)[0], 0);
-  Picture thin = blank_picture(20, 20, {});
+  Picture thin = blank_picture(20, 20, Rgb::Zero());
   draw_line(thin, ends, 1, {{1, 1, 1}, 0.5f});
   EXPECT_FLOAT_EQ(pixel(thin, 10, 9)[0], 0.25f);
 }
 
 TEST_F(Overlay, TextIsAlignedAndKnowsGreek) {
-  Picture picture = blank_picture(200, 40, {});
+  Picture picture = blank_picture(200, 40, Rgb::Zero());
   const int width = text_width("λ 0.42", 20);
   EXPECT_GT(width, 40);
   write_text(picture, 150, 30, "λ 0.42", {20, {1, 1, 1}, Align::right});

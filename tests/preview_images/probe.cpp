@@ -21,7 +21,7 @@ const char* openimageio() {
 }  // namespace
 
 int main(int, char** arguments) {
-  flexkey::Picture picture = flexkey::blank_picture(8, 8, {});
+  flexkey::Picture picture = flexkey::blank_picture(8, 8, flexkey::Rgb::Zero());
   flexkey::fill(picture, {2, 2, 4, 4}, {{1, 1, 1}});
   std::printf("before: %s\n", openimageio());
   try {

@@ -78,12 +78,12 @@ TEST_F(Sheets, WhatDoesNotFitIsAnError) {
             }),
             "a sheet with 2 columns has 1 labels for them");
   Sheet mixed{2, cells(2), {}, {}};
-  mixed.cells[1] = blank_picture(8, 8, {});
+  mixed.cells[1] = blank_picture(8, 8, Rgb::Zero());
   EXPECT_EQ(message_of([&] { draw_sheet(mixed); }), "a sheet with pictures of 96 x 64 and 8 x 8 pixels");
 }
 
 TEST_F(Sheets, PicturesAreMadeSmallerInLinearLight) {
-  Picture checks = blank_picture(64, 64, {});  // half of the light, whichever way it is looked at
+  Picture checks = blank_picture(64, 64, Rgb::Zero());  // half of the light, whichever way it is looked at
   for (int y = 0; y < 64; ++y)
     for (int x = y % 2; x < 64; x += 2) fill(checks, {x, y, 1, 1}, {{1, 1, 1}});
   const Picture small = resized_to_width(checks, 16);
@@ -97,7 +97,7 @@ TEST_F(Sheets, ResizingKeepsFlatColoursProportionsAndBlack) {
   EXPECT_EQ(small.height, 60);
   for (std::size_t i = 0; i < small.rgb.size(); ++i)
     EXPECT_NEAR(small.rgb[i], 0.2f * static_cast<float>(i % 3 + 1), 1e-5);
-  Picture edge = blank_picture(40, 40, {});
+  Picture edge = blank_picture(40, 40, Rgb::Zero());
   fill(edge, {20, 0, 20, 40}, {{10, 10, 10}});
   const Picture sharp = resized_to_width(edge, 20);
   EXPECT_GE(*std::min_element(sharp.rgb.begin(), sharp.rgb.end()), 0);

@@ -33,10 +33,10 @@ TEST(Srgb, BytesAreTheNearestAndClamped) {
 }
 
 TEST(Srgb, AColourIsTheLinearLightOfItsBytes) {
-  const Colour colour = colour_from_srgb(255, 188, 0);
-  EXPECT_FLOAT_EQ(colour.red, 1);
-  EXPECT_NEAR(colour.green, 0.5, 0.005);
-  EXPECT_EQ(colour.blue, 0);
+  const Rgb colour = colour_from_srgb(255, 188, 0);
+  EXPECT_FLOAT_EQ(colour[0], 1);
+  EXPECT_NEAR(colour[1], 0.5, 0.005);
+  EXPECT_EQ(colour[2], 0);
 }
 
 }  // namespace

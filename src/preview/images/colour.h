@@ -1,10 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
+
 namespace flexkey {
 
-/// A colour in linear light.
-struct Colour {
-  float red = 0, green = 0, blue = 0;
-};
+/// Red, green and blue in linear light, 0..1.
+using Rgb = Eigen::Vector3f;
 
 }  // namespace flexkey

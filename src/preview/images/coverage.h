@@ -17,6 +17,6 @@ struct Coverage {
 
 /// Lays a colour over the picture through the coverage, its first pixel at (left, top). What lies outside is
 /// cut.
-void lay_over(Picture& picture, const Coverage& coverage, int left, int top, Colour colour);
+void lay_over(Picture& picture, const Coverage& coverage, int left, int top, const Rgb& colour);
 
 }  // namespace flexkey

@@ -61,12 +61,12 @@ void cover_segment(Coverage& coverage, const Point& a, const Point& b, double wi
 
 }  // namespace
 
-Picture blank_picture(int width, int height, Colour colour) {
+Picture blank_picture(int width, int height, const Rgb& colour) {
   check_picture_size(width, height);
   Picture picture{width, height, {}};
   picture.rgb.reserve(area(width, height) * 3);
   for (std::size_t i = 0; i < area(width, height); ++i)
-    picture.rgb.insert(picture.rgb.end(), {colour.red, colour.green, colour.blue});
+    picture.rgb.insert(picture.rgb.end(), {colour[0], colour[1], colour[2]});
   return picture;
 }
 

@@ -18,12 +18,12 @@ struct Rectangle {
 
 /// A colour laid over what was there; opacity 1 hides it.
 struct Ink {
-  Colour colour;
+  Rgb colour;
   float opacity = 1;
 };
 
 /// A picture of one colour. Throws InputError for a size that no picture can have.
-Picture blank_picture(int width, int height, Colour colour);
+Picture blank_picture(int width, int height, const Rgb& colour);
 
 /// What lies outside the picture is cut, here and below.
 void fill(Picture& picture, const Rectangle& rectangle, const Ink& ink);

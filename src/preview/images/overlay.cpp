@@ -27,10 +27,10 @@ Band band_of(const Picture& picture) {
 }
 
 struct Colours {
-  Colour band = colour_from_srgb(18, 18, 22);
-  Colour text = colour_from_srgb(240, 240, 240);
-  Colour quiet = colour_from_srgb(150, 150, 156);
-  Colour now = colour_from_srgb(255, 176, 64);
+  Rgb band = colour_from_srgb(18, 18, 22);
+  Rgb text = colour_from_srgb(240, 240, 240);
+  Rgb quiet = colour_from_srgb(150, 150, 156);
+  Rgb now = colour_from_srgb(255, 176, 64);
 };
 
 /// Writes what is said of now, in columns as wide as any moment of the clip needs; returns where it ends.
@@ -38,7 +38,7 @@ int write_moment(Picture& picture, const Band& band, const Moment& last, const M
   const Colours colours;
   const int baseline = band.top + (band.height + digit_height(band.text_size)) / 2;
   int x = band.margin;
-  const auto column = [&](const std::string& text, const std::string& widest, Colour colour) {
+  const auto column = [&](const std::string& text, const std::string& widest, const Rgb& colour) {
     x += text_width(widest, band.text_size);
     write_text(picture, x, baseline, text, {band.text_size, colour, Align::right});
     x += band.margin;

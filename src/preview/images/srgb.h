@@ -13,7 +13,7 @@ float srgb_from_linear(float linear);
 float linear_from_srgb(float encoded);
 
 /// A colour from sRGB values 0..255, as designers and CSS write it.
-Colour colour_from_srgb(int red, int green, int blue);
+Rgb colour_from_srgb(int red, int green, int blue);
 
 /// The nearest 8-bit sRGB values, width * height * 3. What is beyond 0..1 is clamped; NaN is black.
 std::vector<std::uint8_t> srgb_bytes(const Picture& picture);

@@ -11,7 +11,7 @@ enum class Align { left, centre, right };
 
 struct TextStyle {
   int size = 14;  // of the em, pixels
-  Colour colour;
+  Rgb colour = Rgb::Zero();
   Align align = Align::left;
 };
 
