@@ -29,10 +29,11 @@ void draw_colour_bar(Picture& picture, const ColourBar& meant) {
   const Rectangle bar{picture.width - width - 2 * space, 2 * space + (meant.title.empty() ? 0 : line + space),
                       width, unit};
   const int bottom = bar.top + bar.height + space + line;
-  fill(picture, {bar.left - space, space, width + 2 * space, bottom}, {colour_from_srgb(18, 18, 22), 0.95f});
+  fill(picture, {bar.left - space, space, width + 2 * space, bottom},
+       {colour_from_srgb(255, 255, 255), 0.65f});
   draw_bar(picture, bar, meant.colour);
 
-  const Rgb text = colour_from_srgb(240, 240, 240);
+  const Rgb text = colour_from_srgb(38, 38, 44);
   if (!meant.title.empty()) write_text(picture, bar.left, bar.top - space, meant.title, {unit, text});
   write_text(picture, bar.left, bottom, low, {unit, text});
   write_text(picture, bar.left + width, bottom, high, {unit, text, Align::right});

@@ -27,10 +27,10 @@ Band band_of(const Picture& picture) {
 }
 
 struct Colours {
-  Rgb band = colour_from_srgb(18, 18, 22);
-  Rgb text = colour_from_srgb(240, 240, 240);
-  Rgb quiet = colour_from_srgb(150, 150, 156);
-  Rgb now = colour_from_srgb(255, 176, 64);
+  Rgb band = colour_from_srgb(255, 255, 255);
+  Rgb text = colour_from_srgb(38, 38, 44);
+  Rgb quiet = colour_from_srgb(128, 128, 134);
+  Rgb now = colour_from_srgb(214, 86, 18);
 };
 
 /// Writes what is said of now, in columns as wide as any moment of the clip needs; returns where it ends.
@@ -86,7 +86,7 @@ void draw_curve(Picture& picture, const Strip& strip, const std::vector<Moment>&
 
 void draw_overlay(Picture& picture, const std::vector<Moment>& clip, const Moment& now) {
   const Band band = band_of(picture);
-  fill(picture, {0, band.top, picture.width, band.height}, {Colours().band, 0.95f});
+  fill(picture, {0, band.top, picture.width, band.height}, {Colours().band, 0.65f});
   const int end = write_moment(picture, band, clip.back(), now);
   const double inset = band.height * 0.2;
   const Strip strip{end + 0.5,         picture.width - band.margin - 0.5,

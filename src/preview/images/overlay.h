@@ -13,8 +13,8 @@ struct Moment {
   double lambda = 0;  // 0 smooth .. 1 rigid
 };
 
-/// Lays a dark band along the picture's lower edge: on the left the time, frame and λ of now, beside them the
-/// curve of λ over the clip (moments in order, not empty), bright up to now.
+/// Lays a light band along the picture's lower edge: on the left the time, frame and λ of now, beside them
+/// the curve of λ over the clip (moments in order, not empty), dark up to now.
 void draw_overlay(Picture& picture, const std::vector<Moment>& clip, const Moment& now);
 
 }  // namespace flexkey

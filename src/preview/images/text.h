@@ -15,8 +15,8 @@ struct TextStyle {
   Align align = Align::left;
 };
 
-/// Writes one line in DejaVu Sans (UTF-8) with `x` at its start, middle or end; what lies outside is cut.
-/// Throws OutputError if the font is not installed.
+/// Writes one line in DejaVu Sans, dark on a light ground, (UTF-8) with `x` at its start, middle or end; what
+/// lies outside is cut. Throws OutputError if the font is not installed.
 void write_text(Picture& picture, int x, int baseline, const std::string& text, const TextStyle& style);
 
 /// The line's width in pixels.
