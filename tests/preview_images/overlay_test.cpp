@@ -71,7 +71,7 @@ TEST_F(Overlay, ThePlayheadFollowsTimeAndLambda) {
 }
 
 TEST_F(Overlay, NumbersDoNotPushTheCurveAbout) {
-  const Picture early = overlaid({0, 0, 0}), late = overlaid({48, 2, 1});
+  const Picture early = overlaid({8, 1.0 / 3, 1.0 / 6}), late = overlaid({48, 2, 1});
   const auto first_line = [](const Picture& picture) {  // where the strip's upper line begins
     int x = 1;
     while (x < 959 && pixel(picture, x, 508)[0] == pixel(picture, 0, 508)[0]) ++x;
