@@ -30,26 +30,21 @@ void check(const CameraSettings& settings) {
           fmt::format("a camera zoom of {:g} is outside 0.001..1000", settings.zoom));
   require(settings.margin >= 0 && settings.margin < 0.5,
           fmt::format("a margin of {:g} of the picture is outside 0..0.5", settings.margin));
+  require(settings.footer >= 0 && settings.footer + 2 * settings.margin < 1,
+          fmt::format("a footer of {:g} of the picture leaves no room", settings.footer));
   require(!settings.look_at || settings.look_at->allFinite(), "the camera looks at no finite point");
 }
 
-/// Axes of a camera that looks down from `elevation` at `azimuth`.
-Camera aimed(const CameraSettings& settings) {
-  const Vec3 up = up_vector(settings.up);
-  const Vec3 front = settings.up == Up::y ? Vec3(0, 0, 1) : Vec3(0, -1, 0);
-  const Vec3 side = up.cross(front);
-  const double a = settings.azimuth, e = settings.elevation;
-  const Vec3 outward = std::cos(a) * front + std::sin(a) * side;
-  Camera camera;
-  camera.right = std::cos(a) * side - std::sin(a) * front;
-  camera.forward = -(std::cos(e) * outward + std::sin(e) * up);
-  camera.up = std::cos(e) * up - std::sin(e) * outward;
-  return camera;
-}
-
-/// Half angles of what must hold the points, as tangents.
+/// Angles from the middle of the picture to the sides of what must hold the points, as tangents.
 struct Opening {
-  double across = 0, along = 0;
+  double across = 0, top = 0, bottom = 0;
+
+  Opening(const CameraSettings& settings, double aspect) {
+    const double half = std::tan(settings.fov / 2);
+    top = half * (1 - 2 * settings.margin);
+    bottom = top - 2 * half * settings.footer;
+    across = top * aspect;
+  }
 };
 
 /// How far points reach past the four side planes of the pyramid of view whose tip is the origin.
@@ -60,16 +55,17 @@ struct Reach {
     const double x = p.dot(camera.right), y = p.dot(camera.up), z = p.dot(camera.forward);
     right = std::max(right, x - opening.across * z);
     left = std::max(left, -x - opening.across * z);
-    top = std::max(top, y - opening.along * z);
-    bottom = std::max(bottom, -y - opening.along * z);
+    top = std::max(top, y - opening.top * z);
+    bottom = std::max(bottom, -y - opening.bottom * z);
   }
 };
 
-/// The nearest place from which everything is seen, in the middle of the picture both ways.
+/// The nearest place from which everything is seen, with the same room on opposite sides.
 Vec3 centred_place(const Camera& camera, const Opening& opening, const Reach& reach) {
-  const double x = (reach.right - reach.left) / 2, y = (reach.top - reach.bottom) / 2;
   const double z = -std::max((reach.right + reach.left) / (2 * opening.across),
-                             (reach.top + reach.bottom) / (2 * opening.along));
+                             (reach.top + reach.bottom) / (opening.top + opening.bottom));
+  const double x = (reach.right - reach.left) / 2;
+  const double y = (reach.top - reach.bottom + (opening.top - opening.bottom) * z) / 2;
   return x * camera.right + y * camera.up + z * camera.forward;
 }
 
@@ -82,13 +78,17 @@ struct Extremes {
     if (slope < low) low = slope, low_depth = depth;
     if (slope > high) high = slope, high_depth = depth;
   }
-  /// The step that leaves as much room on one side as on the other, if these points stay the outermost.
-  double step() const { return low_depth * high_depth * (low + high) / (low_depth + high_depth); }
+  /// The step that puts `middle` (a slope) halfway between them, if these points stay the outermost.
+  double step_to(double middle) const {
+    return low_depth * high_depth * (low + high - 2 * middle) / (low_depth + high_depth);
+  }
 };
 
 /// Where a camera that is farther off than its other direction asks for has the same room on both sides.
-Vec3 evened_place(const Camera& camera, Vec3 place, std::span<const Positions> frames) {
+Vec3 evened_place(const Camera& camera, const Opening& opening, Vec3 place,
+                  std::span<const Positions> frames) {
   constexpr int steps = 3;  // the outermost points rarely change after the first
+  const double middle = (opening.top - opening.bottom) / 2;
   for (int k = 0; k < steps; ++k) {
     Extremes across, along;
     for (const Positions& frame : frames) {
@@ -100,16 +100,16 @@ Vec3 evened_place(const Camera& camera, Vec3 place, std::span<const Positions> f
         along.add(p.dot(camera.up), depth);
       }
     }
-    place += across.step() * camera.right + along.step() * camera.up;
+    place += across.step_to(0) * camera.right + along.step_to(middle) * camera.up;
   }
   return place;
 }
 
 /// The nearest place on the line through `centre` from which everything is seen. The reach is that of points
-/// relative to the centre: one step back along the line takes `across` or `along` off it.
+/// relative to the centre: one step back along the line takes the opening off it.
 Vec3 place_behind(const Camera& camera, const Opening& opening, const Reach& reach) {
-  const double back = std::max({std::max(reach.right, reach.left) / opening.across,
-                                std::max(reach.top, reach.bottom) / opening.along, 0.0});
+  const double back = std::max({std::max(reach.right, reach.left) / opening.across, reach.top / opening.top,
+                                reach.bottom / opening.bottom, 0.0});
   return camera.centre - back * camera.forward;
 }
 
@@ -151,6 +151,19 @@ Vec3 up_vector(Up up) {
   return up == Up::y ? Vec3::UnitY() : Vec3::UnitZ();
 }
 
+Camera aimed_camera(const CameraSettings& settings) {
+  const Vec3 up = up_vector(settings.up);
+  const Vec3 front = settings.up == Up::y ? Vec3(0, 0, 1) : Vec3(0, -1, 0);
+  const Vec3 side = up.cross(front);
+  const double a = settings.azimuth, e = settings.elevation;
+  const Vec3 outward = std::cos(a) * front + std::sin(a) * side;
+  Camera camera;
+  camera.right = std::cos(a) * side - std::sin(a) * front;
+  camera.forward = -(std::cos(e) * outward + std::sin(e) * up);
+  camera.up = std::cos(e) * up - std::sin(e) * outward;
+  return camera;
+}
+
 Bounds bounds_of(std::span<const Positions> frames) {
   if (frames.empty()) return {};
   Bounds all = bounds_of(frames.front());
@@ -168,12 +181,11 @@ Camera fit_camera(const CameraSettings& settings, std::span<const Positions> fra
   const Bounds bounds = bounds_of(frames);
   require(bounds.min.allFinite() && bounds.max.allFinite(),
           "a frame has a vertex that is not at a finite place");
-  Camera camera = aimed(settings);
+  Camera camera = aimed_camera(settings);
   camera.aspect = aspect;
   camera.tan_half = std::tan(settings.fov / 2) / settings.zoom;
   camera.centre = settings.look_at.value_or((bounds.min + bounds.max) / 2);
-  const double along = std::tan(settings.fov / 2) * (1 - 2 * settings.margin);
-  const Opening opening{along * aspect, along};
+  const Opening opening(settings, aspect);
   const Vec3 middle = camera.centre;
   const bool is_turning = turning == Turning::yes;
   const Positions circles = is_turning ? swept(frames, middle, up_vector(settings.up)) : Positions(0, 3);
@@ -183,7 +195,7 @@ Camera fit_camera(const CameraSettings& settings, std::span<const Positions> fra
   } else if (settings.look_at || is_turning) {
     camera.position = place_behind(camera, opening, reach);
   } else {
-    camera.position = evened_place(camera, middle + centred_place(camera, opening, reach), frames);
+    camera.position = evened_place(camera, opening, middle + centred_place(camera, opening, reach), frames);
   }
   // One point alone is framed from any distance: stand off a little.
   const double least = std::max(1e-3 * bounds.diagonal(), 1e-6 * (1 + middle.norm()));

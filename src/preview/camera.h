@@ -20,6 +20,7 @@ struct CameraSettings {
   double fov = 30 * std::numbers::pi / 180;        // of the picture's height, 0 .. 180 degrees
   double zoom = 1;                                 // enlarges what fits
   double margin = 0.08;                            // left free at each side, a share of the picture
+  double footer = 0;  // left free at the lower edge beside the margin, a share of the height, below 0.5
   Up up = Up::y;
 };
 
@@ -31,6 +32,9 @@ struct Camera {
   double tan_half = 0.27;    // half the picture's height, at a distance of one along `forward`
   double aspect = 16.0 / 9;  // width / height
 };
+
+/// The axes of a camera that looks down from `elevation` at `azimuth`, at no place yet.
+Camera aimed_camera(const CameraSettings& settings);
 
 /// The camera that holds all rows of `frames` in the picture. `aspect` is width / height; `turning` makes
 /// room for all azimuths, for a turntable. Throws InputError for angles out of range or points that are not

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
+
+#include "flexkey/preview/images/srgb.h"
 
 namespace flexkey {
 namespace {
@@ -23,8 +24,11 @@ Rgb blend(std::span<const Stop> stops, float share) {
 }  // namespace
 
 Rgb from_srgb(const Rgb& srgb) {
-  return srgb.unaryExpr(
-      [](float s) { return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f); });
+  return srgb.unaryExpr([](float encoded) { return linear_from_srgb(encoded); });
+}
+
+Rgb colour_from_srgb(int red, int green, int blue) {
+  return from_srgb(Eigen::Vector3i(red, green, blue).cast<float>() / 255);
 }
 
 Rgb viridis(float share) {

@@ -10,6 +10,9 @@ using Rgb = Eigen::Vector3f;
 /// sRGB components, 0..1, in linear light (IEC 61966-2-1).
 Rgb from_srgb(const Rgb& srgb);
 
+/// A colour from sRGB values 0..255, as designers and CSS write it.
+Rgb colour_from_srgb(int red, int green, int blue);
+
 /// The colour map viridis of matplotlib (van der Walt and Smith), at a share 0..1; clamped outside.
 Rgb viridis(float share);
 

@@ -59,7 +59,7 @@ Picture draft_picture(const Studio& studio) {
       const Ray ray{view.origin, view.direction(x, y)};
       Eigen::Map<Rgb> colour(picture.rgb.data() + 3 * pixel);
       if (fragments[pixel].what == Hit::What::nothing) {
-        const Rgb behind = backdrop(x / static_cast<float>(view.width), y / static_cast<float>(view.height));
+        const Rgb behind = backdrop(view, column, row);
         colour = ground_colour(studio, ray, behind, shadow[pixel] != 0);
       } else {
         const Hit hit = hit_of(fragments[pixel], studio.frame, view, ray);

@@ -132,8 +132,7 @@ Gathered gather(const Studio& studio, const Tracer& tracer, const Samples& sampl
 
 Response response_of(const Studio& studio, const PixelSample& sample, const Seen& seen) {
   if (seen.what == Seen::What::solid) return spot_response(studio.light, seen.spot);
-  const Rgb behind = backdrop((static_cast<float>(sample.x) + 0.5f) / static_cast<float>(studio.view.width),
-                              (static_cast<float>(sample.y) + 0.5f) / static_cast<float>(studio.view.height));
+  const Rgb behind = backdrop(studio.view, static_cast<int>(sample.x), static_cast<int>(sample.y));
   if (seen.what == Seen::What::ground) return ground_response(behind, seen.spot.position.norm());
   return {behind, Rgb::Zero(), Rgb::Zero()};
 }

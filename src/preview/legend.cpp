@@ -22,14 +22,9 @@ std::optional<Legend> legend_of(const RenderOptions& options) {
   return std::nullopt;
 }
 
-double displacement_top(const Positions& rest, std::span<const Positions> frames) {
-  double largest = 0;
-  for (const Positions& frame : frames)
-    if (frame.rows() == rest.rows() && rest.rows() > 0)
-      largest = std::max(largest, (frame - rest).rowwise().norm().maxCoeff());
-  const double diagonal = bounds_of(rest).diagonal();
+double displacement_top(double largest_offset, double diagonal) {
   constexpr double least = 1e-3;
-  return rounded_up(std::max(diagonal > 0 ? largest / diagonal : 0.0, least));
+  return rounded_up(std::max(diagonal > 0 ? largest_offset / diagonal : 0.0, least));
 }
 
 }  // namespace flexkey

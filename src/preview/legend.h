@@ -2,16 +2,15 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "flexkey/preview/render_options.h"
 
 namespace flexkey {
 
-/// What a picture's colours mean, for a scale drawn beside it.
+/// What a picture's colours mean, for a scale drawn into it (images/draw_legend.h).
 struct Legend {
-  std::string title;                       // "distance from rest, % of the diagonal"
+  std::string title;                       // "distance from rest, % of the diagonal"; may be empty
   double low = 0, high = 1;                // values at the two ends of the scale
   std::function<Rgb(float share)> colour;  // of a place on the scale, 0..1
 };
@@ -19,8 +18,8 @@ struct Legend {
 /// None for styles whose colours are no measure.
 std::optional<Legend> legend_of(const RenderOptions& options);
 
-/// The largest distance of a vertex from rest over all frames, as a share of the rest diagonal, rounded up to
-/// 1, 2 or 5 times a power of ten: the top of a scale that serves the whole clip. At least 0.1%.
-double displacement_top(const Positions& rest, std::span<const Positions> frames);
+/// The top of a scale that serves a whole clip: the largest distance of a vertex from rest (mesh units) as a
+/// share of the rest diagonal, rounded up to 1, 2 or 5 times a power of ten; at least 0.1%.
+double displacement_top(double largest_offset, double diagonal);
 
 }  // namespace flexkey

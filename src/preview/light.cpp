@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flexkey/preview/bayer.h"
+
 namespace flexkey {
 namespace {
 
@@ -15,6 +17,14 @@ const Rgb kFill(0.13f, 0.14f, 0.155f);
 const Rgb kRim(0.10f, 0.105f, 0.11f);
 constexpr float kKeySize = 0.22f;  // radius of the key light at a distance of one
 constexpr float kGloss = 0.045f;   // of clay that has been smoothed by hand
+
+/// A colour of the backdrop, and how far the next of 8-bit sRGB is from it.
+struct Paper {
+  Rgb colour, step;
+
+  explicit Paper(const Rgb& srgb)
+      : colour(from_srgb(srgb)), step(from_srgb(srgb + Rgb::Constant(1.0f / 255)) - colour) {}
+};
 
 float smoothstep(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -56,11 +66,15 @@ Response ground_response(const Rgb& behind, float distance) {
   return {(1 - strength) * behind, 0.5f * strength * behind, 0.5f * strength * behind};
 }
 
-Rgb backdrop(float x, float y) {
-  static const Rgb middle = from_srgb({0.940f, 0.934f, 0.924f}), corner = from_srgb({0.790f, 0.793f, 0.798f});
-  const float distance = std::hypot((x - 0.5f) * 1.15f, (y - 0.52f) * 1.05f);
+Rgb backdrop(const View& view, int x, int y) {
+  static const Paper middle({0.940f, 0.934f, 0.924f}), corner({0.790f, 0.793f, 0.798f});
+  const float across = (static_cast<float>(x) + 0.5f) / static_cast<float>(view.width);
+  const float down = (static_cast<float>(y) + 0.5f) / static_cast<float>(view.height);
+  const float distance = std::hypot((across - 0.5f) * 1.15f, (down - 0.52f) * 1.05f);
   const float share = smoothstep(0.05f, 0.95f, distance);
-  return (1 - share) * middle + share * corner;
+  const float strewn = (static_cast<float>(bayer(x, y)) + 0.5f) / 64 - 0.5f;
+  return (1 - share) * (middle.colour + strewn * middle.step) +
+         share * (corner.colour + strewn * corner.step);
 }
 
 }  // namespace flexkey

@@ -46,7 +46,8 @@ Response spot_response(const Light& light, const Spot& spot);
 inline constexpr float kGroundEdge = 2.2f;
 Response ground_response(const Rgb& behind, float distance);
 
-/// A paper roll behind everything, lighter in the middle: at shares of the picture's width and height.
-Rgb backdrop(float x, float y);
+/// A paper roll behind everything, lighter in the middle, at a pixel. It goes up and down by less than one
+/// value of an 8-bit picture from pixel to pixel, so that such a picture shows no bands.
+Rgb backdrop(const View& view, int x, int y);
 
 }  // namespace flexkey

@@ -52,6 +52,27 @@ TEST(Camera, HoldsAllFramesFromAnySide) {
   }
 }
 
+TEST(Camera, LeavesTheFooterFree) {
+  const auto frames = wander();
+  CameraSettings settings;
+  settings.footer = 0.2;
+  for (const std::optional<Vec3>& look_at : {std::optional<Vec3>(), std::optional<Vec3>({1, 2, 5})}) {
+    settings.look_at = look_at;
+    const Camera camera = fit_camera(settings, frames, kAspect);
+    double lowest = 0, highest = kHeight;
+    for (const Positions& frame : frames)
+      for (const auto& p : frame.rowwise()) {
+        lowest = std::max(lowest, project(camera, p.transpose(), kHeight).y());
+        highest = std::min(highest, project(camera, p.transpose(), kHeight).y());
+      }
+    EXPECT_LE(lowest, kHeight * (1 - settings.footer - settings.margin) + 1);
+    EXPECT_GE(highest, kHeight * settings.margin - 1);
+    if (!look_at) {
+      EXPECT_NEAR(highest + kHeight * settings.footer, kHeight - lowest, 2) << "as much room above as below";
+    }
+  }
+}
+
 TEST(Camera, LooksAtTheChosenPointAndHoldsAll) {
   const auto frames = wander();
   CameraSettings settings;
@@ -135,6 +156,7 @@ TEST(Camera, RefusesWhatIsNoCamera) {
   EXPECT_THROW(with([](CameraSettings& s) { s.fov = 4; }), InputError);
   EXPECT_THROW(with([](CameraSettings& s) { s.elevation = 2; }), InputError);
   EXPECT_THROW(with([](CameraSettings& s) { s.zoom = 0; }), InputError);
+  EXPECT_THROW(with([](CameraSettings& s) { s.footer = 0.9; }), InputError);
   EXPECT_THROW(with([](CameraSettings& s) { s.look_at = Vec3::Constant(std::nan("")); }), InputError);
 }
 

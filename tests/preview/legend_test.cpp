@@ -2,18 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-
-#include "support/meshes.h"
-
 namespace flexkey {
 namespace {
 
 TEST(Legend, TheTopIsRoundAndAboveEveryDistance) {
-  const Positions rest = meshes::cube().positions;  // of diagonal sqrt(3)
-  const std::array<Positions, 2> frames{rest, rest.array() + 0.3};
-  EXPECT_NEAR(displacement_top(rest, frames), 0.5, 1e-12);  // 0.3 of the diagonal
-  EXPECT_NEAR(displacement_top(rest, std::span(frames).first(1)), 1e-3, 1e-12);
+  EXPECT_NEAR(displacement_top(0.6, 2), 0.5, 1e-12);  // 0.3 of the diagonal
+  EXPECT_NEAR(displacement_top(0.4, 2), 0.2, 1e-12);
+  EXPECT_NEAR(displacement_top(0, 2), 1e-3, 1e-12);
+  EXPECT_NEAR(displacement_top(0, 0), 1e-3, 1e-12);
 }
 
 TEST(Legend, OnlyMeasuresHaveOne) {
@@ -24,6 +20,13 @@ TEST(Legend, OnlyMeasuresHaveOne) {
   ASSERT_TRUE(legend_of(options));
   EXPECT_NEAR(legend_of(options)->high, 20, 1e-12);
   EXPECT_EQ(legend_of(options)->colour(1), viridis(1));
+}
+
+TEST(Colour, IsTheLinearLightOfItsBytes) {
+  const Rgb colour = colour_from_srgb(255, 188, 0);
+  EXPECT_FLOAT_EQ(colour[0], 1);
+  EXPECT_NEAR(colour[1], 0.5, 0.005);
+  EXPECT_EQ(colour[2], 0);
 }
 
 TEST(Colour, ViridisGrowsLighterAllTheWay) {

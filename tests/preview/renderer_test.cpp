@@ -22,14 +22,13 @@ Rgb at(const Picture& picture, const Sitting& sitting, const Vec3& point) {
 TEST(Renderer, NothingIsTheBackdrop) {
   Sitting empty = sitting(Mesh{});
   empty.mesh.positions.resize(0, 3);
+  const View view(empty.camera(), UnitSpace({}), empty.options.width, empty.options.height);
   for (const Quality quality : both()) {
     empty.options.quality = quality;
     const Picture picture = empty.take();
     for (int y = 0; y < picture.height; ++y) {
       for (int x = 0; x < picture.width; ++x) {
-        const Rgb expected =
-            backdrop((static_cast<float>(x) + 0.5f) / 96, (static_cast<float>(y) + 0.5f) / 64);
-        EXPECT_LT((pixel(picture, x, y) - expected).norm(), 1e-5f) << x << " " << y;
+        EXPECT_LT((pixel(picture, x, y) - backdrop(view, x, y)).norm(), 1e-5f) << x << " " << y;
       }
     }
   }

@@ -38,7 +38,7 @@ TEST_F(ImageErrors, NoSizeAndTooLargeASizeAreRefusedBeforeAnyMemoryIsAsked) {
   EXPECT_EQ(message_of([&] {
               write_picture({100000, 100000, {}}, folder() / "x.png");
             }),
-            "a picture of 100000 x 100000 pixels is too large; at most 16383 a side and 100 million");
+            "a picture of 100000 x 100000 pixels is too large; at most 16384 a side and 100 million");
   EXPECT_THAT(message_of([] { blank_picture(16000, 16000, Rgb::Zero()); }), HasSubstr("too large"));
   EXPECT_THAT(message_of([] { resized(ramps(8, 8), 0, 8); }), HasSubstr("empty"));
   EXPECT_THAT(message_of([&] { GifWriter(folder() / "x.gif").add({-1, 8, {}}, 0); }), HasSubstr("empty"));

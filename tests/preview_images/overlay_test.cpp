@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flexkey/preview/images/colour_bar.h"
 #include "flexkey/preview/images/draw.h"
-#include "flexkey/preview/images/srgb.h"
+#include "flexkey/preview/images/draw_legend.h"
 #include "flexkey/preview/images/text.h"
 #include "preview_images/test_folder.h"
 
@@ -86,16 +85,16 @@ TEST_F(Overlay, SmallPicturesAndOneFrameAreNoTrouble) {
   for (const int width : {1, 16, 100, 300}) {
     Picture picture = blank_picture(width, std::max(1, width / 2), grey);
     draw_overlay(picture, {{0, 0, 0.5}}, {0, 0, 0.5});
-    draw_colour_bar(picture, {"displacement", 0, 1, cold_to_hot});
+    draw_legend(picture, {"displacement", 0, 1, cold_to_hot});
     EXPECT_EQ(picture.width, width);
     EXPECT_TRUE(std::all_of(picture.rgb.begin(), picture.rgb.end(),
                             [](float value) { return value >= 0 && value <= 1; }));
   }
 }
 
-TEST_F(Overlay, AColourBarShowsItsColoursFromLowToHigh) {
+TEST_F(Overlay, ALegendShowsItsColoursFromLowToHigh) {
   Picture picture = blank_picture(960, 540, grey);
-  draw_colour_bar(picture, {"displacement", 0, 0.125, cold_to_hot});
+  draw_legend(picture, {"displacement", 0, 0.125, cold_to_hot});
   int first = 960, last = 0, row = 0;
   for (int y = 0; y < 540; ++y)
     for (int x = 0; x < 960; ++x) {

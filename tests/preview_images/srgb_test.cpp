@@ -32,12 +32,5 @@ TEST(Srgb, BytesAreTheNearestAndClamped) {
   EXPECT_THAT(srgb_bytes(picture), testing::ElementsAre(118, 188, 255, 0, 255, 0, 0, 255, 0, 7, 0, 3));
 }
 
-TEST(Srgb, AColourIsTheLinearLightOfItsBytes) {
-  const Rgb colour = colour_from_srgb(255, 188, 0);
-  EXPECT_FLOAT_EQ(colour[0], 1);
-  EXPECT_NEAR(colour[1], 0.5, 0.005);
-  EXPECT_EQ(colour[2], 0);
-}
-
 }  // namespace
 }  // namespace flexkey

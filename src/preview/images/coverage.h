@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "flexkey/preview/images/colour.h"
+#include "flexkey/preview/colour.h"
 #include "flexkey/preview/picture.h"
 
 namespace flexkey {

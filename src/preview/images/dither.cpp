@@ -5,21 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "flexkey/preview/bayer.h"
+
 namespace flexkey {
 namespace {
 
 constexpr int levels = 64;         // of a pattern
 constexpr float roughness = 0.1f;  // how much a pattern of two far colours counts against its good mean
-
-/// Bayer's order of 8 x 8 pixels, 0..63: the bits of x ^ y and y, interleaved and reversed.
-int bayer(int x, int y) {
-  int order = 0;
-  for (int bit = 0; bit < 3; ++bit) {
-    const int across = (x ^ y) >> bit & 1, down = y >> bit & 1;
-    order |= (across << 1 | down) << (4 - 2 * bit);
-  }
-  return order;
-}
 
 float dot(const Srgb& a, const Srgb& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -11,7 +11,7 @@ namespace flexkey {
 namespace {
 
 constexpr std::array<std::string_view, 4> names{"png", "exr", "webp", "jpg"};  // in the order of ImageFormat
-constexpr int longest_side = 16383;
+constexpr int longest_side = 16384;
 constexpr std::int64_t most_pixels = 100'000'000;
 
 }  // namespace

@@ -14,8 +14,8 @@ ImageFormat image_format(std::string_view name);
 /// Its name, which is also its files' extension without the dot.
 std::string_view name_of(ImageFormat format);
 
-/// Throws InputError where no picture of this size can be written: both at least 1, at most 16,383 a side
-/// (WebP's bound) and 100 million pixels in all.
+/// Throws InputError where no picture of this size can be written: both at least 1, at most 16,384 a side
+/// and 100 million pixels in all.
 void check_picture_size(int width, int height);
 
 }  // namespace flexkey

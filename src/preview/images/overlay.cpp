@@ -6,7 +6,6 @@
 #include <string>
 
 #include "flexkey/preview/images/draw.h"
-#include "flexkey/preview/images/srgb.h"
 #include "flexkey/preview/images/text.h"
 
 namespace flexkey {
@@ -21,7 +20,7 @@ struct Band {
 };
 
 Band band_of(const Picture& picture) {
-  const int height = std::max(18, picture.height * 2 / 27);
+  const int height = overlay_height(picture.height);
   return {picture.height - height, height, height * 2 / 5, std::max(9, height * 7 / 20),
           std::max(1.0, height / 24.0)};
 }
@@ -83,6 +82,10 @@ void draw_curve(Picture& picture, const Strip& strip, const std::vector<Moment>&
 }
 
 }  // namespace
+
+int overlay_height(int picture_height) {
+  return std::max(18, picture_height * 2 / 27);
+}
 
 void draw_overlay(Picture& picture, const std::vector<Moment>& clip, const Moment& now) {
   const Band band = band_of(picture);

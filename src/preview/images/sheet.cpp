@@ -6,7 +6,6 @@
 
 #include "flexkey/mesh/error.h"
 #include "flexkey/preview/images/draw.h"
-#include "flexkey/preview/images/srgb.h"
 #include "flexkey/preview/images/text.h"
 
 namespace flexkey {

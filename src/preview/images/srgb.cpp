@@ -13,11 +13,6 @@ float linear_from_srgb(float encoded) {
   return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
-Rgb colour_from_srgb(int red, int green, int blue) {
-  const auto linear = [](int value) { return linear_from_srgb(static_cast<float>(value) / 255); };
-  return {linear(red), linear(green), linear(blue)};
-}
-
 std::vector<std::uint8_t> srgb_bytes(const Picture& picture) {
   std::vector<std::uint8_t> bytes(picture.rgb.size());
   std::transform(picture.rgb.begin(), picture.rgb.end(), bytes.begin(), [](float linear) {

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "flexkey/preview/images/colour.h"
 #include "flexkey/preview/picture.h"
 
 namespace flexkey {
@@ -11,9 +10,6 @@ namespace flexkey {
 /// The sRGB transfer curve and its inverse (IEC 61966-2-1), 0..1 to 0..1.
 float srgb_from_linear(float linear);
 float linear_from_srgb(float encoded);
-
-/// A colour from sRGB values 0..255, as designers and CSS write it.
-Rgb colour_from_srgb(int red, int green, int blue);
 
 /// The nearest 8-bit sRGB values, width * height * 3. What is beyond 0..1 is clamped; NaN is black.
 std::vector<std::uint8_t> srgb_bytes(const Picture& picture);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "flexkey/preview/images/colour.h"
+#include "flexkey/preview/colour.h"
 #include "flexkey/preview/picture.h"
 
 namespace flexkey {
