@@ -2,23 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cstdlib>
-#include <set>
+#include <optional>
 #include <string_view>
 #include <thread>
 
+#include "flexkey/timeline/frame_ranges.h"
+#include "flexkey/timeline/number.h"
+
 namespace flexkey::cli {
-namespace {
-
-/// A whole number that fills all of `text`, or -1.
-int whole_number(std::string_view text) {
-  int value = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() && value >= 0 ? value : -1;
-}
-
-}  // namespace
 
 std::vector<Override> ShotOptions::overrides() const {
   std::vector<Override> result;
@@ -35,31 +28,26 @@ std::vector<int> parse_frames(const std::string& text, int frame_count) {
   const auto refuse = [&](std::string_view part, std::string_view why) {
     throw UsageError(fmt::format("--frames '{}': '{}' {}", text, part, why));
   };
-  std::set<int> frames;
+  std::vector<FrameRange> ranges;
   std::string_view left = text;
   while (!left.empty()) {
     const std::size_t comma = left.find(',');
     const std::string_view part = left.substr(0, comma);
     left = comma == std::string_view::npos ? std::string_view() : left.substr(comma + 1);
 
-    const std::size_t times = part.find('x');
-    const std::string_view range = part.substr(0, times);
-    const int step = times == std::string_view::npos ? 1 : whole_number(part.substr(times + 1));
-    const std::size_t dash = range.find('-');
-    const int first = whole_number(range.substr(0, dash));
-    const int last = dash == std::string_view::npos ? first : whole_number(range.substr(dash + 1));
-    if (first < 0 || last < first || step < 1)
-      refuse(part, "is not a frame, a range 0-30 or a stepped range 60-90x2");
-    if (last >= frame_count) refuse(part, fmt::format("is past the shot's last frame, {}", frame_count - 1));
-    for (int frame = first; frame <= last; frame += step) frames.insert(frame);
+    const std::optional<FrameRange> range = parse_frame_range(part);
+    if (!range) refuse(part, "is not a frame, a range 0-30 or a stepped range 60-90x2");
+    if (range->last >= frame_count)
+      refuse(part, fmt::format("is past the shot's last frame, {}", frame_count - 1));
+    ranges.push_back(*range);
   }
-  return {frames.begin(), frames.end()};
+  return frames_in(ranges);
 }
 
 int thread_count(int asked) {
   if (asked > 0) return asked;
-  if (const char* slurm = std::getenv("SLURM_CPUS_PER_TASK"); slurm && whole_number(slurm) > 0)
-    return whole_number(slurm);
+  if (const char* slurm = std::getenv("SLURM_CPUS_PER_TASK"))
+    if (const int count = parse_whole(slurm).value_or(0); count > 0) return count;
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 

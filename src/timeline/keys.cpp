@@ -194,7 +194,7 @@ constexpr KeySpec solver[] = {
 
 constexpr KeySpec output[] = {
     {"gltf", "path of the GLB, or a mapping"},
-    {"preview", "pictures of the clip", Built::ignored},
+    {"preview", "pictures of the clip: their folder, or a mapping"},
     {"cache", "a vertex cache: path ending in .pc2 or .mdd, or a list of them"},
     {"html", "path of a page that plays the clip in a browser, or a mapping"},
     {"frames", "a file a frame: pattern such as frames/%04d.obj or frames/%04d.npz, or a list of them"},
@@ -223,6 +223,45 @@ constexpr KeySpec file[] = {
 constexpr KeySpec animation[] = {
     {"name", "of the animation; default the shot's name"},
     {"merge_into", "an animation of the mesh's glTF file that gets the weights, instead of one of their own"},
+};
+
+constexpr KeySpec preview[] = {
+    {"dir", "folder of the pictures 0000.png, 0001.png …, in the output folder; default the shot's name"},
+    {"size", "[width, height] of a picture, pixels; default [960, 540]"},
+    {"samples", "rays a pixel, 1..4096; default 8"},
+    {"subdivide", "level of the subdivision surface, 0..4; default 2"},
+    {"frames", "which frames: a list such as [0-30, 47, 60-90x2]; default all"},
+    {"format", "png (default), exr, webp or jpg"},
+    {"camera", "where the pictures are taken from; default frames the whole clip"},
+    {"turntable", "turns of the camera over the clip; default 0"},
+    {"style", "clay (default), normals, displacement, lambda, error, wire or textured"},
+    {"quality", "final (default), traced, or draft, by z-buffer"},
+    {"handles",
+     "whether handles are marked blue, their targets green and anchors red: true or false (default)"},
+    {"overlay", "whether time, frame and λ stand along the lower edge: true or false (default)"},
+    {"gif", "path of an animated GIF of the pictures, or a mapping"},
+    {"contact_sheet", "path of one picture of several times side by side, or a mapping"},
+};
+
+constexpr KeySpec camera[] = {
+    {"look_at", "the point in the middle of the picture; default the middle of what it holds"},
+    {"azimuth", "deg or rad about the vertical, 0 from the front (+z, or -y with up z); default 35deg"},
+    {"elevation", "deg or rad above the horizon, -90deg..90deg; default 15deg"},
+    {"fov", "the picture's height as an angle, 0.1deg..170deg; default 30deg"},
+    {"zoom", "enlarges what fits, 0.001..1000; default 1"},
+    {"fit", "what the picture holds: clip (default), all frames, or rest, the mesh at rest"},
+    {"up", "the upward axis, y (default) or z"},
+};
+
+constexpr KeySpec gif[] = {
+    {"path", "path of the GIF, in the output folder"},
+    {"width", "its width, pixels; default the pictures'"},
+};
+
+constexpr KeySpec sheet[] = {
+    {"path", "path of the picture, in the output folder; default the shot's name"},
+    {"at", "times of the pictures on it; default four, evenly over the clip"},
+    {"width", "of a picture on it, pixels; default at most 480"},
 };
 
 }  // namespace
@@ -255,5 +294,9 @@ constinit const MappingSpec output_keys{"{gltf: bar.glb}", output};
 constinit const MappingSpec gltf_keys{"{path: bar.glb}", gltf};
 constinit const MappingSpec file_keys{"{path: bar.pc2}", file};
 constinit const MappingSpec animation_keys{"{merge_into: Walk}", animation};
+constinit const MappingSpec preview_keys{"{dir: bar/}", preview};
+constinit const MappingSpec camera_keys{"{azimuth: 35deg, elevation: 15deg}", camera};
+constinit const MappingSpec gif_keys{"{path: bar.gif, width: 480}", gif};
+constinit const MappingSpec sheet_keys{"{path: bar.png, at: [0s, 1s, 2s]}", sheet};
 
 }  // namespace flexkey

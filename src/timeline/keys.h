@@ -53,5 +53,9 @@ extern const MappingSpec output_keys;
 extern const MappingSpec gltf_keys;
 extern const MappingSpec file_keys;  // an entry of cache, frames or usd; html
 extern const MappingSpec animation_keys;
+extern const MappingSpec preview_keys;
+extern const MappingSpec camera_keys;  // of a preview
+extern const MappingSpec gif_keys;
+extern const MappingSpec sheet_keys;
 
 }  // namespace flexkey

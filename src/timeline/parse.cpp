@@ -20,6 +20,7 @@
 #include "flexkey/timeline/read_names.h"
 #include "flexkey/timeline/read_output.h"
 #include "flexkey/timeline/read_pose.h"
+#include "flexkey/timeline/read_preview_output.h"
 #include "flexkey/timeline/read_rigid.h"
 #include "flexkey/timeline/read_selection.h"
 #include "flexkey/timeline/read_solver.h"
@@ -105,6 +106,7 @@ Shot read_contents(const Fields& fields, Scope& scope) {
     shot.gltf = std::move(outputs.gltf);
     shot.caches = std::move(outputs.caches);
     shot.html = std::move(outputs.html);
+    shot.preview = std::move(outputs.preview);
   }
   if (const Node* node = fields.value("clips")) shot.clips = read_clips(*node, scope);
   if (const Node* node = fields.value("sweep")) shot.sweep.lambda = read_sweep(*node, scope);
@@ -134,6 +136,7 @@ Shot read_shot(Node root, const Sources& sources, Findings& findings) {
   shot.variables = scope.variables;
   shot.fps = scope.fps;
   shot.duration = read_duration(*fields, scope);
+  complete_preview(shot, findings);
   check_output_paths(shot, findings);
   return shot;
 }

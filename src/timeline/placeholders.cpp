@@ -63,25 +63,31 @@ void report_unknown(std::string_view placeholder, const PathInFile& output, cons
                                            output.path, findings.proposal(placeholder, known, all)));
 }
 
-void check_output_path(const PathInFile& output, const Shot& shot, Findings& findings) {
-  bool names_lambda = false;
-  for (const Piece& piece : pieces_of(output.path)) {
-    if (!piece.is_placeholder) continue;
-    names_lambda = names_lambda || piece.text == "<lambda>";
-    if (piece.text != "<lambda>" && !value_of(piece.text, shot))
+bool names_lambda(const std::string& path) {
+  const std::vector<Piece> pieces = pieces_of(path);
+  return std::any_of(pieces.begin(), pieces.end(),
+                     [](const Piece& piece) { return piece.is_placeholder && piece.text == "<lambda>"; });
+}
+
+void check_placeholders(const PathInFile& output, const Shot& shot, Findings& findings) {
+  for (const Piece& piece : pieces_of(output.path))
+    if (piece.is_placeholder && piece.text != "<lambda>" && !value_of(piece.text, shot))
       report_unknown(piece.text, output, shot, findings);
-  }
-  const std::vector<double>& swept = shot.sweep.lambda;
-  if (swept.size() > 1 && !output.path.empty() && !names_lambda) {
-    findings.error(
-        output.where,
-        fmt::format("output path '{}' does not name the swept key; write '<lambda>' into it", output.path));
-  }
-  if (names_lambda && swept.empty() && shot.lambda.size() > 1) {
+  if (names_lambda(output.path) && shot.sweep.lambda.empty() && shot.lambda.size() > 1) {
     findings.error(output.where,
                    fmt::format("'<lambda>' in output path '{}' has no one value; it needs a constant "
                                "lambda or a sweep over it",
                                output.path));
+  }
+}
+
+/// A path of which each run of a sweep needs one of its own.
+void check_output_path(const PathInFile& output, const Shot& shot, Findings& findings) {
+  check_placeholders(output, shot, findings);
+  if (shot.sweep.lambda.size() > 1 && !output.path.empty() && !names_lambda(output.path)) {
+    findings.error(
+        output.where,
+        fmt::format("output path '{}' does not name the swept key; write '<lambda>' into it", output.path));
   }
 }
 
@@ -102,6 +108,10 @@ void check_output_paths(const Shot& shot, Findings& findings) {
   check_output_path({shot.gltf.path, shot.gltf.where}, shot, findings);
   for (const CacheOutput& cache : shot.caches) check_output_path({cache.path, cache.where}, shot, findings);
   check_output_path({shot.html.path, shot.html.where}, shot, findings);
+  const PreviewOutput& preview = shot.preview;
+  check_output_path({preview.dir, preview.where}, shot, findings);
+  check_output_path({preview.gif.path, preview.gif.where}, shot, findings);
+  check_placeholders({preview.sheet.path, preview.sheet.where}, shot, findings);  // may hold all runs
 }
 
 std::string expand_placeholders(const std::string& path, const Shot& shot) {
@@ -124,6 +134,9 @@ std::vector<Shot> runs_of(const Shot& shot) {
       cache.path =
           cache.is_sequence() ? expand_pattern(cache.path, run) : expand_placeholders(cache.path, run);
     run.html.path = expand_placeholders(shot.html.path, run);
+    run.preview.dir = expand_placeholders(shot.preview.dir, run);
+    run.preview.gif.path = expand_placeholders(shot.preview.gif.path, run);
+    run.preview.sheet.path = expand_placeholders(shot.preview.sheet.path, run);
   }
   return runs;
 }

@@ -12,9 +12,10 @@ struct Outputs {
   GltfOutput gltf;
   std::vector<CacheOutput> caches;
   HtmlOutput html;
+  PreviewOutput preview;
 };
 
-/// `output`: the path of a GLB, or {gltf, cache, frames, usd, html}. What is not named has no path.
+/// `output`: the path of a GLB, or {gltf, cache, frames, usd, html, preview}. What is not named has no path.
 Outputs read_output(const Node& node, Scope& scope);
 
 }  // namespace flexkey

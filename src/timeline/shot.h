@@ -9,6 +9,7 @@
 
 #include "flexkey/mesh/selection.h"
 #include "flexkey/timeline/motion.h"
+#include "flexkey/timeline/preview_output.h"
 #include "flexkey/timeline/track.h"
 
 namespace flexkey {
@@ -174,6 +175,7 @@ struct Shot {
   GltfOutput gltf;
   std::vector<CacheOutput> caches;
   HtmlOutput html;
+  PreviewOutput preview;
   std::vector<NamedInterval> clips;  // an animation each in the GLB; empty: one of the whole shot
   Sweep sweep;
 

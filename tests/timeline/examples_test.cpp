@@ -94,6 +94,9 @@ output: {gltf: nose.glb, preview: {camera: {look_at: tip, azimuth: 60deg}, conta
   EXPECT_EQ(shot.lambda[1].value, 0.2);
   EXPECT_EQ(shot.duration, 6) << "the last key of any track, here of lambda";
   EXPECT_EQ(shot.gltf.path, "nose.glb");
+  EXPECT_EQ(shot.preview.camera.look_at, Vec3(0, 0.12, 1.05));
+  EXPECT_DOUBLE_EQ(shot.preview.camera.azimuth, pi / 3);
+  EXPECT_EQ(shot.preview.sheet.at.size(), 4u);
 }
 
 TEST(Examples, BarTwistedTwiceAndBack) {
@@ -118,6 +121,8 @@ output: {gltf: {path: bar.glb, profile: compat, tolerance: 0.1%}, preview: {dir:
   ASSERT_EQ(top.move.size(), 2u);
   EXPECT_EQ(top.move[1].value, Vec3(0, 0, 2));
   EXPECT_EQ(shot.gltf.path, "bar.glb");
+  EXPECT_EQ(shot.preview.dir, "bar/");
+  EXPECT_EQ(shot.preview.subdivide, 1);
 }
 
 }  // namespace

@@ -124,7 +124,8 @@ TEST(Keys, AreSingleWords) {
 }
 
 TEST(Keys, AloneBetweenCommasWereMeantAsAList) {
-  EXPECT_EQ(failure_of(with_base("output: {gltf: a.glb, preview: {frames: 1-30,47,60-90x2, dir: a}}\n")),
+  EXPECT_EQ(failure_of(with_base(
+                "output: {gltf: a.glb, preview: {frames: 1-30,47,60-90x2, dir: a}}\nduration: 9s\n")),
             "4:46: error: '47' has no value: a comma inside { } begins a new key; write a list, "
             "frames: [1-30, 47, 60-90x2], or quotes, frames: \"1-30,47,60-90x2\"");
   EXPECT_EQ(failure_of(with_base("roi: {vertices: 0, 12-40}\n")),
