@@ -1,6 +1,12 @@
 #include "cli/commands.h"
+
+#include <fmt/format.h>
+
 #include "cli/conclusion.h"
+#include "cli/console.h"
 #include "cli/interrupt.h"
+#include "cli/options.h"
+#include "cli/previews.h"
 #include "cli/run_outputs.h"
 #include "cli/run_states.h"
 #include "cli/session.h"
@@ -22,50 +28,88 @@ std::vector<std::string> results_of(const std::vector<RunReport>& reports) {
     for (const WrittenFile& file : report.written) results.push_back(file.path.string());
     for (const WrittenCache& cache : report.caches) results.push_back(cache.path.string());
     for (const WrittenPage& page : report.pages) results.push_back(page.path.string());
+    for (const WrittenPreview& preview : report.previews) {
+      results.push_back(preview.path.string());
+      for (const std::filesystem::path& file : preview.files) results.push_back(file.string());
+    }
   }
   return results;
 }
 
-/// Solves what is not solved yet, and writes what the shot names.
-int write_outputs(const ShotOptions& options, StateUse use) {
-  const Session session = open_session(options);
+/// What the runs have written, and what becomes of the rest where a signal stopped them.
+struct Outcome {
+  std::vector<RunReport> reports;
+  std::vector<std::string> fates;
+};
+
+/// Solves runs that are not solved yet, and writes what they name but for pictures that still wait.
+void write_batch(const Session& session, const Batch& batch, RunStates& states, Previews& previews,
+                 Progress& progress, Outcome& outcome) {
+  std::vector<RunOutputs> outputs = open_outputs(session, batch);
+  FrameWish wish;
+  wish.keep = needs_clip(session.loaded.shot) ? Keep::frames : Keep::nothing;
+  wish.on_frame = [&](std::size_t run, const SolvedFrame& frame) {
+    previews.add(run, frame);
+    if (is_picked(session, frame.report.frame)) outputs[run - batch.first].add(frame);
+  };
+  std::vector<RunFrames> frames = frames_of(session, states, batch, wish, progress);
+  if (noted_signal() != 0) outcome.fates = outputs.front().fates();
+  double seconds = 0;
+  for (const RunOutputs& output : outputs) seconds += output.seconds();
+  for (std::size_t k = 0; k < batch.count; ++k) {
+    frames[k].report.solve_seconds -= seconds / static_cast<double>(batch.count);
+    if (noted_signal() == 0) outputs[k].finish(frames[k]);
+    outcome.reports.push_back(std::move(frames[k].report));
+  }
+}
+
+/// Draws the pictures that have waited, and adds them to the reports.
+void finish_previews(const Session& session, Previews& previews, std::vector<RunReport>& reports) {
+  const std::vector<WrittenPreview> written = previews.finish();
+  for (std::size_t k = 0; k < written.size(); ++k) reports[k].previews.push_back(written[k]);
+  if (session.options.quiet) return;
+  for (const std::string& warning : previews.warnings()) say(fmt::format("{}\n", warning));
+}
+
+/// Solves what is not solved yet, and writes what the session's shot names.
+int write_outputs(const Session& session, StateUse use) {
   require_outputs(session);
   RunStates states(session, use);
   note_signals();
-  std::vector<RunReport> reports;
+  Previews previews(session, states);
+  Outcome outcome;
   {
-    Progress progress(session.frame_count() * static_cast<int>(session.runs.size()), verbosity_of(options));
-    for (const Batch& batch : batches_of(session)) {
-      std::vector<RunOutputs> outputs = open_outputs(session, batch);
-      FrameWish wish;
-      wish.keep = needs_clip(session.loaded.shot) ? Keep::frames : Keep::nothing;
-      wish.on_frame = [&](std::size_t run, const SolvedFrame& frame) {
-        outputs[run - batch.first].add(frame);
-      };
-      std::vector<RunFrames> frames = frames_of(session, states, batch, wish, progress);
-      if (noted_signal() != 0)
-        return conclude_stopped(session, states, frames.front().report.frames.size(),
-                                outputs.front().fates());
-      double seconds = 0;
-      for (const RunOutputs& output : outputs) seconds += output.seconds();
-      for (std::size_t k = 0; k < batch.count; ++k) {
-        frames[k].report.solve_seconds -= seconds / static_cast<double>(batch.count);
-        outputs[k].finish(frames[k]);
-        reports.push_back(std::move(frames[k].report));
-      }
-    }
+    Progress progress(session.frame_count() * static_cast<int>(session.runs.size()),
+                      verbosity_of(session.options));
+    for (const Batch& batch : batches_of(session))
+      if (noted_signal() == 0) write_batch(session, batch, states, previews, progress, outcome);
   }
-  return conclude(session, reports, results_of(reports));
+  if (noted_signal() == 0) finish_previews(session, previews, outcome.reports);
+  if (noted_signal() == 0) return conclude(session, outcome.reports, results_of(outcome.reports));
+  for (std::string& fate : previews.fates()) outcome.fates.push_back(std::move(fate));
+  return conclude_stopped(session, states, outcome.reports.back().frames.size(), std::move(outcome.fates));
+}
+
+StateUse use_of(const ShotOptions& options) {
+  return options.no_solve ? StateUse::trusted : StateUse::helps;
 }
 
 }  // namespace
 
 int run_animate(const ShotOptions& options) {
-  return write_outputs(options, StateUse::helps);
+  return write_outputs(open_session(options, Purpose::all), StateUse::helps);
 }
 
 int run_export(const ShotOptions& options) {
-  return write_outputs(options, options.no_solve ? StateUse::trusted : StateUse::helps);
+  return write_outputs(open_session(options, Purpose::files), use_of(options));
+}
+
+int run_render(const ShotOptions& options) {
+  const Session session = open_session(options, Purpose::pictures);
+  const Shot& shot = session.loaded.shot;
+  if (shot.preview.dir.empty())
+    throw UsageError(fmt::format("{} names no pictures; add 'output: {{preview: {{}}}}'", shot.file));
+  return write_outputs(session, use_of(options));
 }
 
 }  // namespace flexkey::cli

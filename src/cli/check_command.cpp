@@ -12,6 +12,7 @@
 #include "cli/exit_code.h"
 #include "cli/html_page.h"
 #include "cli/load.h"
+#include "cli/previews.h"
 #include "flexkey/animate/scene.h"
 #include "flexkey/mesh/connectivity.h"
 #include "flexkey/mesh/defects.h"
@@ -63,6 +64,9 @@ json summary(const LoadedShot& loaded, const Scene& scene) {
     if (!run.gltf.path.empty()) outputs.push_back(run.gltf.path);
     for (const CacheOutput& cache : run.caches) outputs.push_back(cache.path);
     if (!run.html.path.empty()) outputs.push_back(run.html.path);
+    for (const std::string& path : {run.preview.dir, run.preview.gif.path, run.preview.sheet.path})
+      if (!path.empty() && std::find(outputs.begin(), outputs.end(), path) == outputs.end())
+        outputs.push_back(path);
   }
   json groups = json::array();
   for (const Group& group : loaded.mesh.groups)
@@ -121,6 +125,7 @@ int run_check(const ShotOptions& options) {
   plan_outputs(loaded, options, runs);  // for its errors: what `animate` would refuse
   check_caches(loaded, options, runs);
   check_pages(loaded, options, runs);
+  check_previews(loaded, options, runs);
   const json report = summary(loaded, scene);
   if (!options.quiet)
     for (const std::string& warning : loaded.warnings) say(fmt::format("{}\n", warning));

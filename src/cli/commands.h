@@ -13,6 +13,9 @@ int run_solve(const ShotOptions& options);
 /// `flexkey export`: writes the files that the shot names, from its state. Returns an ExitCode.
 int run_export(const ShotOptions& options);
 
+/// `flexkey render`: draws the pictures of the shot, from its state. Returns an ExitCode.
+int run_render(const ShotOptions& options);
+
 /// `flexkey check`: parses, loads, resolves every selection, prints a summary. Returns an ExitCode.
 int run_check(const ShotOptions& options);
 

@@ -81,8 +81,8 @@ int guarded(Command command) {
 
 /// What is wrong with the command's name, or nothing; flags and no name at all are left to CLI11.
 std::string unknown_command(int argc, char** argv) {
-  const std::vector<std::string> built{"animate", "solve", "export", "check", "inspect"};
-  const std::vector<std::string> planned{"render", "init", "pick", "watch", "schema"};
+  const std::vector<std::string> built{"animate", "solve", "export", "render", "check", "inspect"};
+  const std::vector<std::string> planned{"init", "pick", "watch", "schema"};
   if (argc < 2 || argv[1][0] == '-') return {};
   const std::string name = argv[1];
   if (std::find(built.begin(), built.end(), name) != built.end()) return {};
@@ -118,6 +118,13 @@ int main(int argc, char** argv) {
   write->add_flag("--no-solve", options.no_solve, "Exit 2 instead where the state is missing or stale");
   write->footer("Example:\n  flexkey export timelines/nose.yaml -d out --no-solve\n");
 
+  CLI::App* render = app.add_subcommand(
+      "render", "Draw a shot's pictures from its state; solve what is missing or stale first");
+  add_shot_options(*render, options);
+  add_run_options(*render, options);
+  render->add_flag("--no-solve", options.no_solve, "Exit 2 instead where the state is missing or stale");
+  render->footer("Example:\n  flexkey render timelines/leg.yaml --frames 0,24 -d out\n");
+
   CLI::App* check =
       app.add_subcommand("check", "Parse a shot, load its mesh, resolve every selection; solve nothing");
   add_shot_options(*check, options);
@@ -148,6 +155,7 @@ int main(int argc, char** argv) {
   if (animate->parsed()) return guarded([&] { return run_animate(options); });
   if (solve->parsed()) return guarded([&] { return run_solve(options); });
   if (write->parsed()) return guarded([&] { return run_export(options); });
+  if (render->parsed()) return guarded([&] { return run_render(options); });
   if (inspect->parsed()) return guarded([&] { return run_inspect(inspect_options); });
   return guarded([&] { return run_check(options); });
 }

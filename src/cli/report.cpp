@@ -106,6 +106,28 @@ std::string page_text(const WrittenPage& page) {
       100 * page.gltf.error);
 }
 
+json preview_json(const WrittenPreview& preview) {
+  json files = json::array();
+  for (const std::filesystem::path& file : preview.files) files.push_back(file.string());
+  return {{"path", preview.path.string()},
+          {"format", preview.format},
+          {"pictures", preview.drawn + preview.kept},
+          {"drawn", preview.drawn},
+          {"seconds", preview.seconds},
+          {"ffmpeg", preview.ffmpeg},
+          {"files", std::move(files)}};
+}
+
+std::string preview_text(const WrittenPreview& preview) {
+  std::string text = fmt::format("  draw   {:6.2f} s   {}, {} pictures", preview.seconds,
+                                 preview.path.string(), preview.drawn + preview.kept);
+  if (preview.kept > 0) text += fmt::format(", {} of them drawn before", preview.kept);
+  text += "\n";
+  for (const std::filesystem::path& file : preview.files) text += fmt::format("         {}\n", file.string());
+  if (!preview.ffmpeg.empty()) text += fmt::format("         film: {}\n", preview.ffmpeg);
+  return text;
+}
+
 /// "plays in three.js and Godot; not in Blender (reads no …)"
 std::string clients_text(const std::vector<ClientNote>& notes) {
   std::vector<std::string> plays, fails;
@@ -144,6 +166,7 @@ json run_json(const RunReport& run) {
   for (const WrittenFile& file : run.written) written.push_back(gltf_json(file));
   for (const WrittenCache& cache : run.caches) written.push_back(cache_json(cache));
   for (const WrittenPage& page : run.pages) written.push_back(page_json(page));
+  for (const WrittenPreview& preview : run.previews) written.push_back(preview_json(preview));
   return {{"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
           {"frames", run.frames.size()},
           {"solved_before", run.solved_before()},
@@ -215,6 +238,7 @@ std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& 
     for (const WrittenFile& file : run.written) text += file_text(file, run.write_seconds);
     for (const WrittenCache& cache : run.caches) text += cache_text(cache);
     for (const WrittenPage& page : run.pages) text += page_text(page);
+    for (const WrittenPreview& preview : run.previews) text += preview_text(preview);
   }
   return text;
 }

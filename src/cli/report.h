@@ -34,6 +34,17 @@ struct WrittenPage {
   double seconds = 0;  // of writing
 };
 
+/// The pictures of a run.
+struct WrittenPreview {
+  std::filesystem::path path;  // their pattern, "nose/%04d.png"
+  std::string_view format;     // "png"
+  std::size_t drawn = 0;       // now
+  std::size_t kept = 0;        // drawn before, from the same inputs
+  double seconds = 0;          // of drawing and writing, beside the solve or after it
+  std::string ffmpeg;          // the shell line that makes a film of them; none for a single picture
+  std::vector<std::filesystem::path> files;  // GIF and sheet made of them
+};
+
 /// One solve of the shot, one of several in a sweep.
 struct RunReport {
   double lambda_first = 0, lambda_last = 0;
@@ -44,6 +55,7 @@ struct RunReport {
   std::vector<WrittenFile> written;
   std::vector<WrittenCache> caches;
   std::vector<WrittenPage> pages;
+  std::vector<WrittenPreview> previews;
 
   std::size_t solved_before() const;
   int solves() const;

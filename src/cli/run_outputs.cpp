@@ -4,6 +4,7 @@
 
 #include "cli/gltf_options.h"
 #include "cli/html_page.h"
+#include "cli/previews.h"
 #include "cli/stopwatch.h"
 #include "flexkey/gltf/write_glb.h"
 #include "flexkey/mesh/output_file.h"
@@ -11,17 +12,20 @@
 namespace flexkey::cli {
 
 void require_outputs(const Session& session) {
-  const auto& [options, loaded, runs, wanted, scene, seconds] = session;
+  const auto& [options, loaded, runs, picked, wanted, scene, seconds] = session;
   const std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs);
   check_caches(loaded, options, runs);
   check_pages(loaded, options, runs);
-  if (paths.empty() && loaded.shot.caches.empty() && loaded.shot.html.path.empty())
+  check_previews(loaded, options, runs);
+  const Shot& shot = loaded.shot;
+  if (paths.empty() && shot.caches.empty() && shot.html.path.empty() && shot.preview.dir.empty())
     throw UsageError(
         fmt::format("{} names no output; add 'output: {}.glb'", loaded.shot.file, loaded.shot.name));
   for (const std::filesystem::path& path : paths)
     OutputFile probe(path);  // made and, uncommitted, removed again
   probe_caches(loaded, options, runs);
   probe_pages(options, runs);
+  probe_previews(options, runs);
 }
 
 bool needs_clip(const Shot& shot) {

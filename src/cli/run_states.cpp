@@ -90,6 +90,11 @@ void RunStates::write(std::size_t run, Write write) {
   }
 }
 
+const TakeState* RunStates::kept(std::size_t run) const {
+  const TakeState* state = of(run);
+  return state != nullptr && (state->is_complete() || is_kept()) ? state : nullptr;
+}
+
 void RunStates::add(std::size_t run, const SolvedStep& step) {
   write(run, [&](TakeState& state) {
     state.add(step.report, step.positions);

@@ -31,6 +31,9 @@ class RunStates {
   /// What is solved of a run; null: nothing is kept.
   const TakeState* of(std::size_t run) const { return states_.empty() ? nullptr : states_[run].get(); }
 
+  /// What is, or will be, solved of a run, with every wanted frame in the end; null: it is not kept.
+  const TakeState* kept(std::size_t run) const;
+
   /// Keeps a frame that was solved now, and a checkpoint where one is due. Throws OutputError where the state
   /// is `needed`; else, with a warning, the run's state is given up and its room left to the outputs.
   void add(std::size_t run, const SolvedStep& step);

@@ -8,12 +8,16 @@
 
 namespace flexkey::cli {
 
+/// Which of a shot's outputs a command makes.
+enum class Purpose { all, files, pictures };
+
 /// A shot that a command works on, ready to solve.
 struct Session {
   const ShotOptions& options;
-  LoadedShot loaded;
+  LoadedShot loaded;        // without the outputs that are not made
   std::vector<Shot> runs;   // one, or one a value of the sweep
-  std::vector<int> wanted;  // frames, increasing; empty: all
+  std::vector<int> picked;  // frames that are written, increasing; empty: all
+  std::vector<int> wanted;  // frames that are solved for: those, or all where a picture is to hold the clip
   Scene scene = {};         // that of all runs
   double load_seconds = 0;
 
@@ -22,6 +26,9 @@ struct Session {
 };
 
 /// Loads and binds the shot and says its warnings. Throws as load_shot and bind_loaded do.
-Session open_session(const ShotOptions& options);
+Session open_session(const ShotOptions& options, Purpose purpose);
+
+/// Whether the files of a session have a frame.
+bool is_picked(const Session& session, int frame);
 
 }  // namespace flexkey::cli

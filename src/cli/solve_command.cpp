@@ -8,7 +8,7 @@
 namespace flexkey::cli {
 
 int run_solve(const ShotOptions& options) {
-  const Session session = open_session(options);
+  const Session session = open_session(options, Purpose::files);
   RunStates states(session, StateUse::needed);
   note_signals();
   std::vector<RunReport> reports;

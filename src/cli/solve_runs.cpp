@@ -29,6 +29,21 @@ AnimateHooks hooks_for(RunStates& states, const Batch& batch, const FrameWish& w
   return hooks;
 }
 
+/// Leaves out frames that are solved for and not written.
+Clip picked_of(Clip clip, const Session& session) {
+  if (session.wanted == session.picked) return clip;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < clip.reports.size(); ++k) {
+    if (!is_picked(session, clip.reports[k].frame)) continue;
+    clip.reports[kept] = clip.reports[k];
+    if (!clip.frames.empty()) std::swap(clip.frames[kept], clip.frames[k]);
+    ++kept;
+  }
+  clip.reports.resize(kept);
+  if (!clip.frames.empty()) clip.frames.resize(kept);
+  return clip;
+}
+
 }  // namespace
 
 std::vector<Batch> batches_of(const Session& session) {
@@ -50,7 +65,7 @@ std::vector<RunFrames> frames_of(const Session& session, RunStates& states, cons
   std::vector<Clip> clips = animate(takes, session.loaded.mesh, session.wanted, hooks);
   for (std::size_t k = 0; k < batch.count; ++k) {
     RunReport& report = found[k].report;
-    found[k].clip = std::move(clips[k]);
+    found[k].clip = picked_of(std::move(clips[k]), session);
     report.solve_seconds = watch.seconds() / static_cast<double>(batch.count);
     report.claims_convergence = takes[k].shot.solver.preset != SolverSettings::Preset::paper;
     if (report.frames.empty()) continue;

@@ -29,7 +29,7 @@ struct FrameWish {
 
 /// A run of the shot as far as it is solved.
 struct RunFrames {
-  Clip clip;  // without frames unless they were to be kept
+  Clip clip;  // of the picked frames; without frames unless they were to be kept
   RunReport report;
 };
 

@@ -66,4 +66,10 @@ struct PreviewOutput {
   SheetOutput sheet;
 };
 
+/// Whether any picture depends on every frame of the clip.
+inline bool needs_whole_clip(const PreviewOutput& preview) {
+  return !preview.dir.empty() && (preview.camera.fit == PreviewCamera::Fit::clip ||
+                                  preview.style == PreviewOutput::Style::displacement);
+}
+
 }  // namespace flexkey

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/frame_spool.h"
+#include "cli/load.h"
+#include "flexkey/animate/scene.h"
+#include "flexkey/preview/clip_extent.h"
+#include "flexkey/preview/images/overlay.h"
+#include "flexkey/preview/renderer.h"
+
+namespace flexkey::cli {
+
+/// Draws the pictures of a shot's runs, all with one camera.
+class PictureMaker {
+ public:
+  /// extent: of what the camera is to hold. Refers to the shot and the scene.
+  PictureMaker(const LoadedShot& loaded, const Scene& scene, const ClipExtent& extent);
+
+  /// moments: of the frame's run, for the overlay.
+  Picture draw(const KeptFrame& frame, const std::vector<Moment>& moments);
+  /// A hash of all that the picture's pixels depend on.
+  std::string inputs(const KeptFrame& frame, const std::vector<Moment>& moments) const;
+
+  /// Whole lines.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  Camera camera_at(int frame) const;
+  Marks marks_of(const KeptFrame& frame) const;
+
+  const LoadedShot& loaded_;
+  const Scene& scene_;
+  std::vector<std::string> warnings_;
+  RenderOptions options_;
+  Camera camera_;
+  Renderer renderer_;
+  std::string always_;  // hash of what all pictures depend on
+};
+
+}  // namespace flexkey::cli
