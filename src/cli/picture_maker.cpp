@@ -121,10 +121,11 @@ std::string PictureMaker::inputs(const KeptFrame& frame, const std::vector<Momen
   std::vector<std::string> parts{always_,
                                  camera_text(camera_at(report.frame)),
                                  bytes_of(frame.positions),
-                                 fmt::format("{} {}", report.lambda, report.converged),
                                  bytes_of(marks.handles),
                                  bytes_of(marks.anchors),
                                  bytes_of(marks.targets)};
+  if (options_.style == Style::lambda) parts.push_back(fmt::format("{}", report.lambda));
+  if (options_.style == Style::error) parts.push_back(fmt::format("{}", report.converged));
   if (loaded_.shot.preview.overlay) {
     parts.push_back(fmt::format("{} {}", report.frame, loaded_.shot.fps));
     for (const Moment& moment : moments) parts.push_back(fmt::format("{}", moment.lambda));

@@ -113,8 +113,14 @@ TEST_F(PreviewsOf, OtherInputsAreDrawnAgain) {
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_THAT(result.errors, HasSubstr("25 pictures\n")) << change;
   }
-  const ProgramResult moved = run_with("dir: p, handles: true", {"--set", "lambda=0.9"});
-  EXPECT_THAT(moved.errors, HasSubstr("25 pictures, 1 of them drawn before")) << "only rest is as it was";
+}
+
+TEST_F(PreviewsOf, OnlyFramesThatChangeAreDrawnAgain) {
+  const std::string keys = "dir: p, camera: {fit: rest}";
+  ASSERT_EQ(run_with(keys).exit_code, 0);
+  const ProgramResult other = run_with(keys, {"--set", "lambda={0.5s: 0.5, 1s: 0}"});
+  EXPECT_EQ(other.exit_code, 0) << other.errors;
+  EXPECT_THAT(other.errors, HasSubstr("25 pictures, 13 of them drawn before")) << "up to the first other λ";
 }
 
 TEST_F(PreviewsOf, PickedFramesLeaveTheGifAndTheSheetAlone) {
@@ -235,7 +241,7 @@ constexpr const char* interrupting =
 TEST_F(PreviewsOf, AnInterruptKeepsWholePictures) {
   for (const char* camera : {"{fit: clip}", "{fit: rest}"}) {
     const ProgramResult result = run_with(fmt::format("dir: out, camera: {}, gif: p.gif", camera),
-                                          {"--set", "output.preview.size=[640, 480]", "--set",
+                                          {"--set", "output.preview.size=[400, 300]", "--set",
                                            "output.preview.quality=final", "--set", "fps=100"},
                                           interrupting);
     EXPECT_EQ(result.exit_code, 130) << result.errors;
