@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "cli/preview_marks.h"
 #include "cli/preview_settings.h"
 #include "flexkey/mesh/read_file.h"
 #include "flexkey/preview/images/draw_legend.h"
@@ -65,7 +64,7 @@ std::string hash_of_always(const LoadedShot& loaded, const RenderOptions& option
       fmt::format("{} {} {} {} {} {} {} {} {}", options.width, options.height, options.samples,
                   options.subdivide, static_cast<int>(options.style), static_cast<int>(options.quality),
                   static_cast<int>(options.up), options.weld, options.displacement_top),
-      fmt::format("{} {}", loaded.shot.preview.handles, loaded.shot.preview.overlay),
+      fmt::format("{}", loaded.shot.preview.overlay),
       bytes_of(bounds.min),
       bytes_of(bounds.max),
       bytes_of(mesh.positions),
@@ -85,7 +84,7 @@ std::string hash_of_always(const LoadedShot& loaded, const RenderOptions& option
 
 PictureMaker::PictureMaker(const LoadedShot& loaded, const Scene& scene, const ClipExtent& extent)
     : loaded_(loaded),
-      scene_(scene),
+      marks_(scene, loaded.shot.preview.handles),
       options_(full_options(loaded, extent, warnings_)),
       camera_(camera_for(loaded.shot.preview, extent)),
       renderer_(loaded.mesh, bounds_of(extent.outline()), options_),
@@ -101,8 +100,7 @@ Camera PictureMaker::camera_at(int frame) const {
 }
 
 Marks PictureMaker::marks_of(const KeptFrame& frame) const {
-  if (!loaded_.shot.preview.handles) return {{}, {}, Positions(0, 3)};
-  return marks_at(scene_, frame.report.frame / loaded_.shot.fps, frame.positions);
+  return marks_.at(frame.report.frame / loaded_.shot.fps, frame.positions);
 }
 
 Picture PictureMaker::draw(const KeptFrame& frame, const std::vector<Moment>& moments) {

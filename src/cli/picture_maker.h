@@ -5,6 +5,7 @@
 
 #include "cli/frame_spool.h"
 #include "cli/load.h"
+#include "cli/preview_marks.h"
 #include "flexkey/animate/scene.h"
 #include "flexkey/preview/clip_extent.h"
 #include "flexkey/preview/images/overlay.h"
@@ -15,7 +16,7 @@ namespace flexkey::cli {
 /// Draws the pictures of a shot's runs, all with one camera.
 class PictureMaker {
  public:
-  /// extent: of what the camera is to hold. Refers to the shot and the scene.
+  /// extent: of what the camera is to hold. Refers to both.
   PictureMaker(const LoadedShot& loaded, const Scene& scene, const ClipExtent& extent);
 
   /// moments: of the frame's run, for the overlay.
@@ -31,7 +32,7 @@ class PictureMaker {
   Marks marks_of(const KeptFrame& frame) const;
 
   const LoadedShot& loaded_;
-  const Scene& scene_;
+  HandleMarks marks_;
   std::vector<std::string> warnings_;
   RenderOptions options_;
   Camera camera_;

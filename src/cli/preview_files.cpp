@@ -55,7 +55,7 @@ Picture cell_of(const Shot& run, int frame, int width, const ShotOptions& option
 }
 
 std::string time_label(const Shot& run, int frame) {
-  return fmt::format("{:.4g} s", frame / run.fps);
+  return fmt::format("{:.3g} s", frame / run.fps);
 }
 
 std::string lambda_label(const Shot& run, int frame) {
@@ -87,9 +87,9 @@ void write_sheet_of(const std::vector<const Shot*>& runs, const ShotOptions& opt
   const int width = cell_width(first.preview, sheet.columns);
   for (const int frame : frames) {
     for (const Shot* run : runs) sheet.cells.push_back(cell_of(*run, frame, width, options));
-    if (is_sweep) {
+    if (is_sweep && frames.size() > 1) {
       sheet.row_labels.push_back(time_label(first, frame));
-    } else {
+    } else if (!is_sweep) {
       sheet.column_labels.push_back(
           fmt::format("{},  {}", time_label(first, frame), lambda_label(first, frame)));
     }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "flexkey/animate/handle_states.h"
+#include "flexkey/mesh/connectivity.h"
 #include "flexkey/timeline/sampling.h"
 
 namespace flexkey::cli {
@@ -34,35 +35,61 @@ double next_key(const Handle& handle, double time) {
   return std::isfinite(next) ? next : time;
 }
 
-/// The rows of `targets` that are not where the surface is already.
-Positions apart(const Positions& targets, const Positions& placed, double diagonal) {
-  constexpr double near = 1e-3;  // a share of the diagonal
-  std::vector<int> rows;
-  for (Eigen::Index k = 0; k < targets.rows(); ++k)
-    if ((targets.row(k) - placed.row(k)).norm() > near * diagonal) rows.push_back(static_cast<int>(k));
-  return targets(rows, Eigen::all);
+/// Whether each vertex of a set has a neighbour outside it.
+std::vector<bool> on_border(const Mesh& surface, const std::vector<int>& vertices) {
+  std::vector<bool> is_inside(static_cast<std::size_t>(surface.vertex_count())), result = is_inside;
+  for (const int v : vertices) is_inside[static_cast<std::size_t>(v)] = true;
+  for (const MeshEdge& edge : mesh_edges(surface)) {
+    const auto low = static_cast<std::size_t>(edge.low), high = static_cast<std::size_t>(edge.high);
+    if (is_inside[low] != is_inside[high]) result[is_inside[low] ? low : high] = true;
+  }
+  return result;
 }
 
 }  // namespace
 
-Marks marks_at(const Scene& scene, double time, const Positions& posed) {
+HandleMarks::HandleMarks(const Scene& scene, PreviewOutput::Handles which)
+    : scene_(scene), diagonal_(bounds_of(scene.weld.surface.positions).diagonal()) {
+  if (which == PreviewOutput::Handles::none) return;
   const std::vector<int> file_vertex = file_vertices(scene.weld);
-  const double diagonal = bounds_of(scene.weld.surface.positions).diagonal();
+  for (const SceneHandle& handle : scene.handles) {
+    const std::vector<bool> is_border = on_border(scene.weld.surface, handle.vertices);
+    Marked& marked = marked_.emplace_back();
+    for (std::size_t row = 0; row < handle.vertices.size(); ++row) {
+      const auto vertex = static_cast<std::size_t>(handle.vertices[row]);
+      if (which == PreviewOutput::Handles::borders && !is_border[vertex]) continue;
+      marked.rows.push_back(static_cast<int>(row));
+      marked.file_vertices.push_back(file_vertex[vertex]);
+    }
+  }
+}
+
+/// The targets of a handle's marked vertices that are not where the surface is already.
+Positions HandleMarks::targets_ahead(std::size_t handle, double time, const Positions& posed) const {
+  constexpr double near = 1e-3;  // a share of the diagonal
+  const Marked& marked = marked_[handle];
+  const HandleStates ahead = sample_states(scene_, next_key(scene_.handles[handle].handle, time));
+  const Positions targets = targets_of(scene_, ahead, static_cast<int>(handle))(marked.rows, Eigen::all);
+  std::vector<int> apart;
+  for (std::size_t k = 0; k < marked.rows.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    if ((targets.row(row) - posed.row(marked.file_vertices[k])).norm() > near * diagonal_)
+      apart.push_back(static_cast<int>(k));
+  }
+  return targets(apart, Eigen::all);
+}
+
+Marks HandleMarks::at(double time, const Positions& posed) const {
   Marks marks;
   marks.targets.resize(0, 3);
-  for (std::size_t h = 0; h < scene.handles.size(); ++h) {
-    const SceneHandle& bound = scene.handles[h];
-    if (!is_active(bound.handle, time)) continue;
-    std::vector<int> vertices;
-    for (const int v : bound.vertices) vertices.push_back(file_vertex[static_cast<std::size_t>(v)]);
-    std::vector<int>& marked = bound.handle.is_anchor() ? marks.anchors : marks.handles;
-    marked.insert(marked.end(), vertices.begin(), vertices.end());
-    if (bound.handle.is_anchor()) continue;
-    const HandleStates ahead = sample_states(scene, next_key(bound.handle, time));
-    const Positions targets =
-        apart(targets_of(scene, ahead, static_cast<int>(h)), posed(vertices, Eigen::all), diagonal);
-    const Eigen::Index rows = marks.targets.rows();
-    marks.targets.conservativeResize(rows + targets.rows(), 3);
+  for (std::size_t h = 0; h < marked_.size(); ++h) {
+    const Handle& handle = scene_.handles[h].handle;
+    if (!is_active(handle, time)) continue;
+    std::vector<int>& vertices = handle.is_anchor() ? marks.anchors : marks.handles;
+    vertices.insert(vertices.end(), marked_[h].file_vertices.begin(), marked_[h].file_vertices.end());
+    if (handle.is_anchor()) continue;
+    const Positions targets = targets_ahead(h, time, posed);
+    marks.targets.conservativeResize(marks.targets.rows() + targets.rows(), 3);
     marks.targets.bottomRows(targets.rows()) = targets;
   }
   return marks;

@@ -237,7 +237,7 @@ constexpr KeySpec preview[] = {
     {"style", "clay (default), normals, displacement, lambda, error, wire or textured"},
     {"quality", "final (default), traced, or draft, by z-buffer"},
     {"handles",
-     "whether handles are marked blue, their targets green and anchors red: true or false (default)"},
+     "which handles' vertices are blue, anchors' red and targets green: true, borders or false (default)"},
     {"overlay", "whether time, frame and λ stand along the lower edge: true or false (default)"},
     {"gif", "path of an animated GIF of the pictures, or a mapping"},
     {"contact_sheet", "path of one picture of several times side by side, or a mapping"},

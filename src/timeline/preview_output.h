@@ -60,8 +60,9 @@ struct PreviewOutput {
   Style style = Style::clay;
   enum class Quality { draft, final };
   Quality quality = Quality::final;
-  bool handles = false;  // marked on the surface
-  bool overlay = false;  // time, frame and λ along the lower edge
+  enum class Handles { none, borders, all };
+  Handles handles = Handles::none;  // whose vertices are marked
+  bool overlay = false;             // time, frame and λ along the lower edge
   GifOutput gif;
   SheetOutput sheet;
 };

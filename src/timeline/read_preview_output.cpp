@@ -63,6 +63,12 @@ void read_size(const Node& node, PreviewOutput& output, Scope& scope) {
                                      *height, most_pixels / 1'000'000));
 }
 
+PreviewOutput::Handles read_handles_shown(const Node& node, Scope& scope) {
+  using Handles = PreviewOutput::Handles;
+  if (node.kind == Node::Kind::scalar && node.text == "borders") return Handles::borders;
+  return read_switch(node, scope).value_or(false) ? Handles::all : Handles::none;
+}
+
 std::optional<Style> read_style(const Node& node, Scope& scope) {
   return read_word<Style>(node, "style",
                           {{"clay", Style::clay},
@@ -170,8 +176,7 @@ void read_looks(const Fields& fields, PreviewOutput& output, Scope& scope) {
   if (const Node* value = fields.value("camera")) output.camera = read_preview_camera(*value, scope);
   if (const Node* value = fields.value("turntable"))
     output.turntable = read_turns(*value, scope).value_or(output.turntable);
-  if (const Node* value = fields.value("handles"))
-    output.handles = read_switch(*value, scope).value_or(output.handles);
+  if (const Node* value = fields.value("handles")) output.handles = read_handles_shown(*value, scope);
   if (const Node* value = fields.value("overlay"))
     output.overlay = read_switch(*value, scope).value_or(output.overlay);
 }

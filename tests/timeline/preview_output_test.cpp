@@ -39,7 +39,8 @@ TEST(PreviewOutputs, HaveADefaultForEverything) {
   EXPECT_FALSE(preview.camera.look_at);
   EXPECT_EQ(preview.style, PreviewOutput::Style::clay);
   EXPECT_EQ(preview.quality, PreviewOutput::Quality::final);
-  EXPECT_FALSE(preview.handles || preview.overlay);
+  EXPECT_EQ(preview.handles, PreviewOutput::Handles::none);
+  EXPECT_FALSE(preview.overlay);
   EXPECT_EQ(preview.gif.path, "");
   EXPECT_EQ(preview.sheet.path, "");
   EXPECT_EQ(parse(with_base("output: a.glb\n")).preview.dir, "") << "no pictures unless asked for";
@@ -69,7 +70,9 @@ TEST(PreviewOutputs, TakeEveryKey) {
   EXPECT_EQ(preview.turntable, -0.5);
   EXPECT_EQ(preview.style, PreviewOutput::Style::error);
   EXPECT_EQ(preview.quality, PreviewOutput::Quality::draft);
-  EXPECT_TRUE(preview.handles && preview.overlay);
+  EXPECT_EQ(preview.handles, PreviewOutput::Handles::all);
+  EXPECT_TRUE(preview.overlay);
+  EXPECT_EQ(preview_of("{handles: borders}").handles, PreviewOutput::Handles::borders);
   EXPECT_EQ(preview.gif.path, "a.gif");
   EXPECT_EQ(preview.gif.width, 32);
   EXPECT_EQ(preview.sheet.path, "b.jpg");
