@@ -20,12 +20,22 @@ std::string bytes_of(const Numbers& numbers) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+/// The height of the ground: the mesh at rest stands on it, unless it sinks far below.
+double floor_of(const Positions& rest, const ClipExtent& extent, Up up) {
+  constexpr double far = 0.05;  // a share of the diagonal
+  const Bounds standing = bounds_of(rest);
+  const double low = standing.min.dot(up_vector(up)),
+               lowest = bounds_of(extent.outline()).min.dot(up_vector(up));
+  return low - lowest < far * standing.diagonal() ? low : lowest;
+}
+
 /// The options for all pictures, and what has gone wrong on the way to them.
 RenderOptions full_options(const LoadedShot& loaded, const ClipExtent& extent,
                            std::vector<std::string>& warnings) {
   RenderOptions options = render_options(loaded);
   const double diagonal = bounds_of(loaded.mesh.positions).diagonal();
   options.displacement_top = displacement_top(extent.largest_offset(), diagonal);
+  options.floor = floor_of(loaded.mesh.positions, extent, options.up);
   if (options.style != Style::textured) return options;
   Textures textures = load_textures(loaded.mesh, loaded.mesh_path.parent_path());
   options.texture = std::move(textures.lookup);
@@ -61,9 +71,10 @@ std::string hash_of_always(const LoadedShot& loaded, const RenderOptions& option
   const Mesh& mesh = loaded.mesh;
   std::vector<std::string> parts{
       FLEXKEY_VERSION,
-      fmt::format("{} {} {} {} {} {} {} {} {}", options.width, options.height, options.samples,
+      fmt::format("{} {} {} {} {} {} {} {} {} {}", options.width, options.height, options.samples,
                   options.subdivide, static_cast<int>(options.style), static_cast<int>(options.quality),
-                  static_cast<int>(options.up), options.weld, options.displacement_top),
+                  static_cast<int>(options.up), options.weld, options.displacement_top,
+                  options.floor.value_or(0)),
       fmt::format("{}", loaded.shot.preview.overlay),
       bytes_of(bounds.min),
       bytes_of(bounds.max),

@@ -27,6 +27,7 @@ void check_options(const RenderOptions& options) {
                       width, height, kLongestSide, kMostPixels / 1'000'000));
   require(options.samples >= 1 && options.samples <= kMostSamples,
           fmt::format("{} samples a pixel are outside 1..{}", options.samples, kMostSamples));
+  require(!options.floor || std::isfinite(*options.floor), "the ground is not at a finite height");
   require(std::isfinite(options.displacement_top) && options.displacement_top >= 0,
           fmt::format("the displacement of the last colour, {:g}, is not a share of the diagonal",
                       options.displacement_top));

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 
 #include "flexkey/preview/camera.h"
 #include "flexkey/preview/colour.h"
@@ -36,7 +37,8 @@ struct RenderOptions {
   Style style = Style::clay;
   Quality quality = Quality::final;
   Up up = Up::y;
-  double weld = 0;  // vertices at most this far apart are one, mesh units, as for the solver
+  std::optional<double> floor;  // height of the ground, mesh units; default: the lowest point of the bounds
+  double weld = 0;              // vertices at most this far apart are one, mesh units, as for the solver
   double displacement_top =
       0;                       // share of the diagonal that has the map's last colour; see displacement_top()
   TextureLookup texture = {};  // without it Style::textured shows the materials' colours

@@ -28,6 +28,13 @@ Bounds checked(const Bounds& bounds) {
   return bounds;
 }
 
+/// Height of the ground in unit space.
+float floor_in(const UnitSpace& space, const Bounds& bounds, const RenderOptions& options) {
+  const Vec3 up = up_vector(options.up);
+  const double height = options.floor.value_or(bounds.min.dot(up));
+  return static_cast<float>((height - space.centre.dot(up)) * space.scale);
+}
+
 /// Half of the control mesh's edges are shorter.
 float median_edge(const Surface& surface, const Points& points) {
   std::vector<float> lengths;
@@ -63,7 +70,7 @@ Renderer::Impl::Impl(const Mesh& rest_mesh, const Bounds& bounds, RenderOptions 
     : mesh(rest_mesh),
       options((check_options(chosen), std::move(chosen))),
       space(checked(bounds)),
-      floor(space.place(bounds.min).dot(up_vector(options.up).cast<float>())),
+      floor(floor_in(space, bounds, options)),
       subdivision(mesh, options.subdivide, options.weld),
       normals(subdivision.surface()),
       rest(refined(mesh.positions)) {

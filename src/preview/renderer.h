@@ -30,8 +30,8 @@ struct FrameState {
 /// with any number of threads.
 class Renderer {
  public:
-  /// rest: the file's mesh, which the renderer refers to. bounds: of all frames (bounds_of(frames)); the
-  /// ground lies at their lowest point. Throws InputError for options that cannot be rendered, or bounds that
+  /// rest: the file's mesh, which the renderer refers to. bounds: of all frames (bounds_of(frames)).
+  /// Throws InputError for options that cannot be rendered, or bounds that
   /// are not finite.
   Renderer(const Mesh& rest, const Bounds& bounds, RenderOptions options);
   ~Renderer();

@@ -76,6 +76,22 @@ TEST(Renderer, NothingIsBlownOut) {
   }
 }
 
+TEST(Renderer, TheGroundLiesWhereItIsAskedTo) {
+  Sitting sphere = sitting(meshes::sphere(2));
+  sphere.settings.elevation = 0.5;
+  sphere.settings.zoom = 0.5;
+  const Vec3 beside = Vec3(0, -1, 0) + 0.8 * sphere.camera().right;  // in the shadow of a sphere that stands
+  for (const Quality quality : both()) {
+    sphere.options.quality = quality;
+    sphere.options.floor.reset();
+    const float standing = brightness(at(sphere.take(), sphere, beside));
+    sphere.options.floor = -1;
+    EXPECT_EQ(brightness(at(sphere.take(), sphere, beside)), standing);
+    sphere.options.floor = -3;
+    EXPECT_GT(brightness(at(sphere.take(), sphere, beside)), 1.1f * standing) << "its shadow is elsewhere";
+  }
+}
+
 TEST(Renderer, ThreadsDoNotChangeAPixel) {
   Sitting bar = sitting(meshes::bumpy(meshes::bar(8, 9, 40), 0.3));
   for (const Quality quality : both()) {
