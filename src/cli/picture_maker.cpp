@@ -21,21 +21,21 @@ std::string bytes_of(const Numbers& numbers) {
 }
 
 /// The height of the ground: the mesh at rest stands on it, unless it sinks far below.
-double floor_of(const Positions& rest, const ClipExtent& extent, Up up) {
+double floor_of(const Positions& rest, const Framing& framing, Up up) {
   constexpr double far = 0.05;  // a share of the diagonal
   const Bounds standing = bounds_of(rest);
   const double low = standing.min.dot(up_vector(up)),
-               lowest = bounds_of(extent.outline()).min.dot(up_vector(up));
+               lowest = bounds_of(framing.outline).min.dot(up_vector(up));
   return low - lowest < far * standing.diagonal() ? low : lowest;
 }
 
 /// The options for all pictures, and what has gone wrong on the way to them.
-RenderOptions full_options(const LoadedShot& loaded, const ClipExtent& extent,
+RenderOptions full_options(const LoadedShot& loaded, const Framing& framing,
                            std::vector<std::string>& warnings) {
   RenderOptions options = render_options(loaded);
   const double diagonal = bounds_of(loaded.mesh.positions).diagonal();
-  options.displacement_top = displacement_top(extent.largest_offset(), diagonal);
-  options.floor = floor_of(loaded.mesh.positions, extent, options.up);
+  options.displacement_top = displacement_top(framing.largest_offset, diagonal);
+  options.floor = floor_of(loaded.mesh.positions, framing, options.up);
   if (options.style != Style::textured) return options;
   Textures textures = load_textures(loaded.mesh, loaded.mesh_path.parent_path());
   options.texture = std::move(textures.lookup);
@@ -44,9 +44,9 @@ RenderOptions full_options(const LoadedShot& loaded, const ClipExtent& extent,
   return options;
 }
 
-Camera camera_for(const PreviewOutput& preview, const ClipExtent& extent) {
+Camera camera_for(const PreviewOutput& preview, const Framing& framing) {
   const double aspect = static_cast<double>(preview.width) / preview.height;
-  return fit_camera(camera_settings(preview), std::span(&extent.outline(), 1), aspect,
+  return fit_camera(camera_settings(preview), std::span(&framing.outline, 1), aspect,
                     preview.turntable != 0 ? Turning::yes : Turning::no);
 }
 
@@ -93,13 +93,13 @@ std::string hash_of_always(const LoadedShot& loaded, const RenderOptions& option
 
 }  // namespace
 
-PictureMaker::PictureMaker(const LoadedShot& loaded, const Scene& scene, const ClipExtent& extent)
+PictureMaker::PictureMaker(const LoadedShot& loaded, const Scene& scene, const Framing& framing)
     : loaded_(loaded),
       marks_(scene, loaded.shot.preview.handles),
-      options_(full_options(loaded, extent, warnings_)),
-      camera_(camera_for(loaded.shot.preview, extent)),
-      renderer_(loaded.mesh, bounds_of(extent.outline()), options_),
-      always_(hash_of_always(loaded, options_, bounds_of(extent.outline()))) {
+      options_(full_options(loaded, framing, warnings_)),
+      camera_(camera_for(loaded.shot.preview, framing)),
+      renderer_(loaded.mesh, bounds_of(framing.outline), options_),
+      always_(hash_of_always(loaded, options_, bounds_of(framing.outline))) {
   for (const std::string& warning : renderer_.warnings())
     warnings_.push_back(fmt::format("warning: {}: {}", loaded.mesh_path.string(), warning));
 }

@@ -7,17 +7,22 @@
 #include "cli/load.h"
 #include "cli/preview_marks.h"
 #include "flexkey/animate/scene.h"
-#include "flexkey/preview/clip_extent.h"
 #include "flexkey/preview/images/overlay.h"
 #include "flexkey/preview/renderer.h"
 
 namespace flexkey::cli {
 
+/// What all pictures of a shot are made for.
+struct Framing {
+  Positions outline;          // #points x 3: the picture holds them
+  double largest_offset = 0;  // of a vertex from rest in any frame, mesh units: for the scale of its colours
+};
+
 /// Draws the pictures of a shot's runs, all with one camera.
 class PictureMaker {
  public:
-  /// extent: of what the camera is to hold. Refers to both.
-  PictureMaker(const LoadedShot& loaded, const Scene& scene, const ClipExtent& extent);
+  /// Refers to the shot and the scene.
+  PictureMaker(const LoadedShot& loaded, const Scene& scene, const Framing& framing);
 
   /// moments: of the frame's run, for the overlay.
   Picture draw(const KeptFrame& frame, const std::vector<Moment>& moments);

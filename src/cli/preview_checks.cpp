@@ -24,7 +24,7 @@ struct PictureFile {
 std::vector<PictureFile> files_of(const Shot& run, const ShotOptions& options) {
   const PreviewOutput& preview = run.preview;
   std::vector<PictureFile> files;
-  const Sequence sequence = sequence_of(preview, options);
+  const PictureSequence sequence = sequence_of(preview, options);
   for (const int frame : drawn_frames(run, options))
     files.push_back({frame_path(sequence, frame), preview.where});
   if (!preview.gif.path.empty()) files.push_back({options.out_dir / preview.gif.path, preview.gif.where});

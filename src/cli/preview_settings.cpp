@@ -77,7 +77,7 @@ RenderOptions render_options(const LoadedShot& loaded) {
   return options;
 }
 
-Sequence sequence_of(const PreviewOutput& preview, const ShotOptions& options) {
+PictureSequence sequence_of(const PreviewOutput& preview, const ShotOptions& options) {
   return {options.out_dir / preview.dir, format_of(preview.format)};
 }
 

@@ -19,7 +19,7 @@ CameraSettings camera_settings(const PreviewOutput& preview);
 RenderOptions render_options(const LoadedShot& loaded);
 
 /// The pictures of a run.
-Sequence sequence_of(const PreviewOutput& preview, const ShotOptions& options);
+PictureSequence sequence_of(const PreviewOutput& preview, const ShotOptions& options);
 
 /// The frames that are drawn: of those that the preview names, those that `--frames` does.
 std::vector<int> drawn_frames(const Shot& run, const ShotOptions& options);

@@ -14,6 +14,7 @@
 #include "cli/preview_settings.h"
 #include "cli/progress.h"
 #include "cli/stopwatch.h"
+#include "flexkey/preview/clip_extent.h"
 #include "flexkey/preview/images/image_file.h"
 
 namespace flexkey::cli {
@@ -22,7 +23,7 @@ namespace {
 /// The pictures of one run on their way.
 struct RunPictures {
   const Shot& run;
-  Sequence sequence;
+  PictureSequence sequence;
   std::vector<int> drawn;            // frames
   std::vector<Moment> moments;       // of the whole run
   const TakeState* state = nullptr;  // which has the solved frames; null: the spool has those that wait
@@ -67,7 +68,7 @@ struct Previews::Impl {
   Behind writing, drawing;  // a picture that is drawn waits for the one before to be written
 
   void draw(RunPictures& pictures, const KeptFrame& frame);
-  void draw_spooled();
+  void draw_waiting();
   void make_files();
 };
 
@@ -91,8 +92,8 @@ void Previews::Impl::draw(RunPictures& pictures, const KeptFrame& frame) {
   });
 }
 
-/// The frames that have waited for the camera.
-void Previews::Impl::draw_spooled() {
+/// Draws the frames that have waited for the last.
+void Previews::Impl::draw_waiting() {
   std::optional<ClipExtent> extent;
   int total = 0;
   for (std::size_t run = 0; run < runs.size(); ++run) {
@@ -105,7 +106,10 @@ void Previews::Impl::draw_spooled() {
     total += static_cast<int>(pictures.drawn.size());
   }
   if (!extent) return;
-  maker.emplace(session.loaded, session.scene, *extent);
+  const LoadedShot& loaded = session.loaded;
+  const bool holds_clip = loaded.shot.preview.camera.fit == PreviewCamera::Fit::clip;
+  maker.emplace(loaded, session.scene,
+                Framing{holds_clip ? extent->outline() : loaded.mesh.positions, extent->largest_offset()});
   Progress progress(total, verbosity_of(session.options), "Rendering");
   for (RunPictures& pictures : runs) {
     for (const int number : pictures.drawn) {
@@ -141,9 +145,7 @@ Previews::Previews(const Session& session, const RunStates& states)
   for (std::size_t run = 0; run < session.runs.size(); ++run)
     impl_->runs.push_back(pictures_of(session, run, states.kept(run)));
   if (needs_whole_clip(loaded.shot.preview)) return;
-  ClipExtent rest(camera_settings(loaded.shot.preview), loaded.mesh.positions);
-  rest.add(loaded.mesh.positions);
-  impl_->maker.emplace(loaded, session.scene, rest);
+  impl_->maker.emplace(loaded, session.scene, Framing{loaded.mesh.positions});
 }
 
 Previews::~Previews() = default;
@@ -158,7 +160,7 @@ void Previews::add(std::size_t run, const SolvedFrame& frame) {
 }
 
 std::vector<WrittenPreview> Previews::finish() {
-  impl_->draw_spooled();
+  impl_->draw_waiting();
   impl_->drawing.finish();
   impl_->writing.finish();
   const Stopwatch watch;

@@ -1,8 +1,8 @@
 #include "flexkey/preview/clip_extent.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
+#include <utility>
 
 #include "flexkey/mesh/error.h"
 
@@ -19,6 +19,34 @@ double turn(const Flat& flat, int a, int b, int c) {
   return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
+/// The rows that are outermost in eight directions, counter-clockwise, none twice in a row.
+std::vector<int> outermost(const Flat& flat) {
+  std::vector<int> corners;
+  for (const auto& [across, up] :
+       {std::pair{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}) {
+    Eigen::Index farthest = 0;
+    (across * flat.col(0) + up * flat.col(1)).maxCoeff(&farthest);
+    if (corners.empty() || corners.back() != farthest) corners.push_back(static_cast<int>(farthest));
+  }
+  if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  return corners;
+}
+
+/// The rows that may be corners of the convex hull: those that are not inside of the outermost ones (Akl and
+/// Toussaint, "A fast convex hull algorithm", 1978).
+std::vector<int> candidates(const Flat& flat) {
+  const std::vector<int> corners = outermost(flat);
+  const auto is_inside = [&](int v) {
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      if (turn(flat, corners[k], corners[(k + 1) % corners.size()], v) <= 0) return false;
+    return true;
+  };
+  std::vector<int> rows;
+  for (int v = 0; v < flat.rows(); ++v)
+    if (!is_inside(v)) rows.push_back(v);
+  return rows;
+}
+
 /// One side of the convex hull of `order`, by Andrew's monotone chain; adds its points to `found`.
 template <class Order>
 void add_chain(const Flat& flat, const Order& order, std::set<int>& found) {
@@ -33,8 +61,7 @@ void add_chain(const Flat& flat, const Order& order, std::set<int>& found) {
 /// Adds the rows that are corners of the convex hull in a plane.
 void add_hull(const Positions& points, const Plane& plane, std::set<int>& found) {
   const Flat flat = points * plane;
-  std::vector<int> order(static_cast<std::size_t>(points.rows()));
-  std::iota(order.begin(), order.end(), 0);
+  std::vector<int> order = candidates(flat);
   std::sort(order.begin(), order.end(), [&](int a, int b) {
     return flat(a, 0) != flat(b, 0) ? flat(a, 0) < flat(b, 0) : flat(a, 1) < flat(b, 1);
   });

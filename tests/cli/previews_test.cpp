@@ -73,7 +73,8 @@ TEST_F(PreviewsOf, AShotLieInAFolderOfItsName) {
 
 TEST_F(PreviewsOf, AnyFramesAndThreadsAreTheSameFiles) {
   for (const char* camera :
-       {"", ", camera: {fit: rest}", ", turntable: 0.5, style: displacement, overlay: true"}) {
+       {"", ", camera: {fit: rest}", ", turntable: 0.5, style: displacement, overlay: true",
+        ", style: displacement, camera: {fit: rest}"}) {
     const auto to = [&](const std::string& dir, const std::vector<std::string>& arguments) {
       const ProgramResult result = run_with(fmt::format("dir: {}{}", dir, camera), arguments);
       EXPECT_EQ(result.exit_code, 0) << result.errors;
@@ -155,7 +156,54 @@ TEST_F(PreviewsOf, RenderWritesPicturesAlone) {
   const ProgramResult result = run({"render", "shot.yaml", "--frames", "0,24", "-d", "out"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_THAT(names_in("out/shot"), testing::ElementsAre("0000.png", "0024.png"));
-  EXPECT_EQ(names_in("out").size(), 1u);
+  EXPECT_THAT(names_in("out"), testing::ElementsAre(".flexkey", "shot"));
+}
+
+TEST_F(PreviewsOf, RenderTakesWhatIsSolved) {
+  const std::string output = fmt::format("output={{preview: {{{}}}}}", small);
+  ASSERT_EQ(run({"solve", "shot.yaml"}).exit_code, 0);
+  const ProgramResult result = run({"render", "shot.yaml", "--no-solve", "--frames", "3,5", "--set", output});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(names_in("shot"), testing::ElementsAre("0003.png", "0005.png"));
+  const std::string from_state = bytes_of("shot/0005.png");
+  fs::remove_all(folder() / "shot");
+  ASSERT_EQ(run({"render", "shot.yaml", "-d", "anew", "--set", output}).exit_code, 0);
+  EXPECT_EQ(bytes_of("anew/shot/0005.png"), from_state);
+}
+
+TEST_F(PreviewsOf, RenderWithoutSolvingNeedsAllThatTheCameraHolds) {
+  const auto render = [&](const std::string& fit) {
+    return run({"render", "shot.yaml", "--no-solve", "--frames", "3", "--set",
+                fmt::format("output={{preview: {{camera: {{fit: {}}}, {}}}}}", fit, small)});
+  };
+  EXPECT_EQ(render("clip").exit_code, 2) << "there is no state";
+  ASSERT_EQ(run({"solve", "shot.yaml", "--frames", "0-9"}).exit_code, 0);
+  EXPECT_EQ(render("rest").exit_code, 0);
+  const ProgramResult part = render("clip");
+  EXPECT_EQ(part.exit_code, 2);
+  EXPECT_THAT(part.errors, HasSubstr("10 of 25 frames"));
+}
+
+TEST_F(PreviewsOf, AreDrawnWhereNoStateCanBeKept) {
+  write(".flexkey", "not a folder");
+  const ProgramResult result = run_with("dir: p");
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  fs::remove(folder() / ".flexkey");
+  ASSERT_EQ(run_with("dir: q").exit_code, 0);
+  for (const std::string& name : names_in("q"))
+    EXPECT_EQ(bytes_of("p/" + name), bytes_of("q/" + name)) << name;
+}
+
+TEST_F(PreviewsOf, PickedFramesAreThoseOfTheOtherFilesToo) {
+  const std::string output = fmt::format("output={{gltf: bar.glb, cache: bar.mdd, preview: {{{}}}}}", small);
+  ASSERT_EQ(run({"animate", "shot.yaml", "--frames", "4-8", "--set", output}).exit_code, 0);
+  const std::string glb = bytes_of("bar.glb"), cache = bytes_of("bar.mdd");
+  ASSERT_EQ(
+      run({"animate", "shot.yaml", "--frames", "4-8", "--set", "output={gltf: bar.glb, cache: bar.mdd}"})
+          .exit_code,
+      0);
+  EXPECT_EQ(bytes_of("bar.glb").size(), glb.size());
+  EXPECT_EQ(bytes_of("bar.mdd"), cache);
 }
 
 TEST_F(PreviewsOf, RenderNeedsAPreview) {
@@ -231,6 +279,14 @@ TEST_F(PreviewsOf, OverAFileSizeLimitExitFiveAndLeaveNoHalfFile) {
   EXPECT_EQ(result.exit_code, 5);
   EXPECT_THAT(result.errors, HasSubstr("File too large"));
   EXPECT_TRUE(names_in("p").empty());
+}
+
+TEST_F(PreviewsOf, TheSampleShotAreAFilmASheetAndPictures) {
+  const ProgramResult result = run({"animate", FLEXKEY_SOURCE "/timelines/nose.yaml", "-d", "out", "--set",
+                                    "output.preview.frames=[0-144x36]"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_TRUE(exists("out/nose/0000.png") && exists("out/nose/0144.png"));
+  EXPECT_TRUE(exists("out/nose.png") && exists("out/nose.gif"));
 }
 
 /// Runs a program and interrupts it once it has written its second picture.

@@ -23,8 +23,11 @@ class Samples : public test::WorkFolder {};
 TEST_F(Samples, EveryShotGivesAGlbThatTheValidatorAccepts) {
   std::string files;
   for (const char* name : {"nose", "leg", "jaw", "twist", "minimal"}) {
-    const ProgramResult result =
-        run({"animate", (source / "timelines" / (std::string(name) + ".yaml")).string(), "-d", "out"});
+    std::vector<std::string> arguments{
+        "animate", (source / "timelines" / (std::string(name) + ".yaml")).string(), "-d", "out"};
+    if (name == std::string("nose"))  // without its pictures
+      arguments.insert(arguments.end(), {"--set", "output={gltf: nose.glb, html: nose.html}"});
+    const ProgramResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     const std::string glb = result.output.substr(0, result.output.find('\n'));
     EXPECT_EQ(fs::path(glb).filename(), std::string(name == std::string("minimal") ? "bar" : name) + ".glb");
@@ -46,6 +49,7 @@ TEST_F(Samples, TheLongBarConvergesInEveryFrame) {
 TEST_F(Samples, EveryShotPassesCheckWithoutAWarning) {
   for (const fs::directory_entry& entry : fs::directory_iterator(source / "timelines")) {
     if (entry.path().extension() != ".yaml") continue;
+    if (FLEXKEY_HAS_PREVIEWS == 0 && entry.path().stem() == "nose") continue;  // it names pictures
     const ProgramResult result = run({"check", entry.path().string()});
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_EQ(result.errors, "");

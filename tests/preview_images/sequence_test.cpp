@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* rest = "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -c:v libx264 -crf 18 -pix_fmt yuv420p";
 
-std::string line(const Sequence& sequence, std::vector<int> frames, double fps) {
+std::string line(const PictureSequence& sequence, std::vector<int> frames, double fps) {
   std::string text = ffmpeg_line(sequence, frames, fps);
   const std::size_t at = text.find(rest);
   EXPECT_NE(at, std::string::npos) << text;

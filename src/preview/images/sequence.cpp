@@ -37,7 +37,7 @@ int common_step(std::span<const int> frames) {
 }
 
 /// What ffmpeg is to read. Numbers that do not follow each other can only be taken as all that match.
-std::string input_of(const Sequence& sequence, std::span<const int> frames) {
+std::string input_of(const PictureSequence& sequence, std::span<const int> frames) {
   const std::string folder = sequence.folder.lexically_normal().string();
   const std::string_view extension = name_of(sequence.format);
   const auto word = [&](const std::string& in, std::string_view pattern) {
@@ -50,11 +50,11 @@ std::string input_of(const Sequence& sequence, std::span<const int> frames) {
 
 }  // namespace
 
-std::filesystem::path frame_path(const Sequence& sequence, int frame) {
+std::filesystem::path frame_path(const PictureSequence& sequence, int frame) {
   return sequence.folder / fmt::format("{:04}.{}", frame, name_of(sequence.format));
 }
 
-std::string ffmpeg_line(const Sequence& sequence, std::span<const int> frames, double fps) {
+std::string ffmpeg_line(const PictureSequence& sequence, std::span<const int> frames, double fps) {
   const double rate = fps / std::max(1, common_step(frames));
   const std::string linear = sequence.format == ImageFormat::exr ? "-apply_trc iec61966_2_1 " : "";
   std::filesystem::path film = (sequence.folder / ".").lexically_normal().parent_path();
