@@ -110,6 +110,15 @@ void add_gltf_bars(Table& table, const GltfResult& result) {
         std::max(5.0, result.solve_seconds), result.web.seconds);
 }
 
+void add_preview_bars(Table& table, const PreviewResult& result) {
+  add(table, "applying stencils against PrimvarRefiner, 10k, level 2", Sense::at_most, 0.5,
+      stencil_ratio(result.stencils));
+  add(table, "subdivision and tree as a share of a final frame", Sense::at_most, 0.15,
+      geometry_share(result.frame));
+  add(table, "memory growth from 24 to 240 pictures", Sense::at_most, 0.05,
+      result.memory.of_240 / result.memory.of_24 - 1);
+}
+
 }  // namespace
 
 Table bar_table(const Results& results) {
@@ -117,6 +126,7 @@ Table bar_table(const Results& results) {
   for (const PeerResult& result : results.peers) add_peer_bars(table, result);
   if (results.study) add_study_bars(table, *results.study);
   for (const GltfResult& result : results.gltf) add_gltf_bars(table, result);
+  if (results.preview) add_preview_bars(table, *results.preview);
   if (results.limit) {
     add(table, "a global solve against reading its factor twice", Sense::at_most, 3,
         results.limit->solve / results.limit->bound());
@@ -143,6 +153,7 @@ std::vector<Table> all_tables(const Results& results) {
     tables.push_back(gltf_table(results.gltf));
     tables.push_back(gltfpack_table(results.gltf));
   }
+  if (results.preview) tables.push_back(preview_table(*results.preview));
   tables.push_back(bar_table(results));
   return tables;
 }

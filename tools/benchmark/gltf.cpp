@@ -14,6 +14,7 @@
 #include "flexkey/timeline/parse.h"
 #include "motion.h"
 #include "played_glb.h"
+#include "scratch.h"
 
 namespace flexkey::bench {
 namespace {
@@ -31,26 +32,6 @@ double seconds_of(const std::function<void()>& work) {
   work();
   return cpu_seconds() - start;
 }
-
-/// A folder that is removed with the object.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "flexkey-bench-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw Error("bench: no temporary folder");
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 Clip solve_blob(int frames) {
   const Motion motion = blob_there_and_back(blob_cells, frames);

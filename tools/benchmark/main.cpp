@@ -12,7 +12,7 @@
 namespace flexkey::bench {
 namespace {
 
-const std::vector<std::string> all_parts{"peers", "threads", "limit", "solves", "gltf"};
+const std::vector<std::string> all_parts{"peers", "threads", "limit", "solves", "gltf", "preview"};
 
 struct Options {
   std::vector<std::string> parts = all_parts;
@@ -54,6 +54,10 @@ ThreadTimes time_threads(const Size& size) {
 Results measure(const Options& options) {
   Results results;
   const std::vector<Size> sizes = sizes_of(options);
+  if (options.wants("preview")) {
+    say("the memory of previews");
+    results.preview = PreviewResult{measure_render_memory(options.timelines), {}, {}};
+  }
   if (options.wants("peers")) {
     for (const Size& size : sizes) {
       if (!options.wants_size(size.name)) continue;
@@ -76,6 +80,11 @@ Results measure(const Options& options) {
   if (options.wants("gltf")) {
     say("writing glTF");
     results.gltf = measure_gltf(options.timelines);
+  }
+  if (results.preview) {
+    say("drawing previews");
+    results.preview->stencils = time_stencils();
+    results.preview->frame = time_frames();
   }
   return results;
 }

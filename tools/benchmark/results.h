@@ -6,6 +6,7 @@
 #include "gltf.h"
 #include "limit.h"
 #include "peers.h"
+#include "preview.h"
 #include "study.h"
 #include "table.h"
 
@@ -24,6 +25,7 @@ struct Results {
   std::optional<Limit> limit;
   std::optional<Study> study;
   std::vector<GltfResult> gltf;
+  std::optional<PreviewResult> preview;
 };
 
 Table peer_table(const std::vector<PeerResult>& peers);
@@ -39,6 +41,11 @@ Table honesty_table(const Study& study);
 /// Targets, bytes and errors of the sample clips' files.
 Table gltf_table(const std::vector<GltfResult>& results);
 Table gltfpack_table(const std::vector<GltfResult>& results);
+
+Table preview_table(const PreviewResult& result);
+/// Medians of the rounds' own ratios: stencils to refining, and geometry's share of a frame.
+double stencil_ratio(const StencilTimes& times);
+double geometry_share(const FrameTimes& times);
 
 /// What flexkey has set itself to reach, beside what was measured.
 Table bar_table(const Results& results);
