@@ -55,10 +55,11 @@ TEST_F(References, WiresAndMarks) {
   Sitting bar = bent_bar();
   bar.options.style = Style::wire;
   Renderer renderer(bar.mesh, bounds_of(bar.mesh.positions), bar.options);
-  const Positions targets = bar.mesh.positions.topRows(4).rowwise() + Eigen::RowVector3d(0, 1, 0);
-  expect_like_reference(
-      renderer.render({bar.mesh.positions, 0.5, true, {{0, 1, 2, 3}, {20, 21}, targets}}, bar.camera()),
-      "wire.png");
+  const int last = bar.mesh.vertex_count() - 1;  // at the near end
+  const Marks marks{{last - 3, last - 2, last - 1, last},
+                    {last - 8, last - 9},
+                    bar.mesh.positions.bottomRows(4).rowwise() + Eigen::RowVector3d(0, 1, 0)};
+  expect_like_reference(renderer.render({bar.mesh.positions, 0.5, true, marks}, bar.camera()), "wire.png");
 }
 
 TEST_F(References, NormalsInADraft) {
