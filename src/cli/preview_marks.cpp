@@ -30,8 +30,15 @@ double next_key(const Handle& handle, double time) {
   look(handle.move);
   look(handle.to);
   look(handle.rotate);
+  look(handle.euler.keys);
   look(handle.scale);
   look(handle.curve);
+  if (handle.follow) look(handle.follow->shares);
+  for (const MotionTracks& layer : handle.layers) {
+    look(layer.move);
+    look(layer.rotate);
+    look(layer.scale);
+  }
   return std::isfinite(next) ? next : time;
 }
 
