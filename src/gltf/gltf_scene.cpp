@@ -191,9 +191,11 @@ GltfAnimation read_animation(const json& item, const Sizes& sizes, const std::st
     const std::string name = fmt::format("channel {} of {}", number, what);
     const int sampler = require_index(channel, "sampler", animation.samplers.size(), name);
     const json* target = find_member(channel, "target", name);
-    const bool leads_weights = target != nullptr && text_at(*target, "path", name) == "weights";
-    const int node = leads_weights ? find_index(*target, "node", sizes.nodes, name) : -1;
-    if (node >= 0) animation.weights.push_back({number, sampler, node});
+    const std::string path = target != nullptr ? text_at(*target, "path", name) : std::string();
+    const bool is_known = path == "weights" || path == "translation" || path == "rotation" || path == "scale";
+    const int node = is_known ? find_index(*target, "node", sizes.nodes, name) : -1;
+    if (node >= 0 && path == "weights") animation.weights.push_back({number, sampler, node});
+    if (node >= 0 && path != "weights") animation.nodes.push_back({sampler, node, path});
     ++number;
   }
   return animation;

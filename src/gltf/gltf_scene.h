@@ -79,10 +79,17 @@ struct GltfWeightsChannel {
   int channel = 0, sampler = 0, node = 0;
 };
 
+/// A channel that leads a node itself.
+struct GltfNodeChannel {
+  int sampler = 0, node = 0;
+  std::string path;  // "translation", "rotation" or "scale"
+};
+
 struct GltfAnimation {
   std::string name;
   std::vector<GltfSampler> samplers;
   std::vector<GltfWeightsChannel> weights;
+  std::vector<GltfNodeChannel> nodes;
 };
 
 struct GltfScene {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 
 #include "flexkey/mesh/error.h"
@@ -11,11 +12,25 @@
 namespace flexkey {
 namespace {
 
+/// A file's times are floats: one that is within their rounding of a frame is meant to be that frame's.
+template <class Value>
+void snap(Track<Value>& track, double fps) {
+  constexpr double rounding = 1e-3;  // frames
+  for (Key<Value>& key : track) {
+    const double frame = std::round(key.time * fps);
+    if (std::abs(key.time * fps - frame) <= rounding) key.time = frame / fps;
+  }
+}
+
 MotionTracks tracks_of_node(const std::string& text, Scope& scope) {
   const std::size_t hash = text.rfind('#');
   if (hash == std::string::npos || hash + 1 == text.size())
     throw InputError(fmt::format("'{}' names no node; write it behind a #, as in rig.glb#Ear_L", text));
-  return scope.sources.node_motion(text.substr(0, hash), text.substr(hash + 1));
+  MotionTracks tracks = scope.sources.node_motion(text.substr(0, hash), text.substr(hash + 1));
+  snap(tracks.move, scope.fps);
+  snap(tracks.rotate, scope.fps);
+  snap(tracks.scale, scope.fps);
+  return tracks;
 }
 
 MotionTracks tracks_of_table(const std::string& path, Scope& scope) {
