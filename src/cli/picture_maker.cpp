@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cli/preview_settings.h"
+#include "flexkey/animate/lambda_field.h"
 #include "flexkey/mesh/read_file.h"
 #include "flexkey/preview/images/draw_legend.h"
 #include "flexkey/preview/images/textures.h"
@@ -95,6 +96,7 @@ std::string hash_of_always(const LoadedShot& loaded, const RenderOptions& option
 
 PictureMaker::PictureMaker(const LoadedShot& loaded, const Scene& scene, const Framing& framing)
     : loaded_(loaded),
+      scene_(scene),
       marks_(scene, loaded.shot.preview.handles),
       options_(full_options(loaded, framing, warnings_)),
       camera_(camera_for(loaded.shot.preview, framing)),
@@ -114,30 +116,37 @@ Marks PictureMaker::marks_of(const KeptFrame& frame) const {
   return marks_.at(frame.report.frame / loaded_.shot.fps, frame.positions);
 }
 
-Picture PictureMaker::draw(const KeptFrame& frame, const std::vector<Moment>& moments) {
+/// Where λ is what the colours say.
+Eigen::VectorXf PictureMaker::lambda_of(const KeptFrame& frame, const PictureRun& of) const {
+  if (options_.style != Style::lambda) return {};
+  const Eigen::VectorXd lambda = lambda_at(of.shot, scene_, frame.report.frame / of.shot.fps);
+  return lambda(scene_.weld.to_surface).cast<float>();
+}
+
+Picture PictureMaker::draw(const KeptFrame& frame, const PictureRun& of) {
   const FrameReport& report = frame.report;
-  Picture picture = renderer_.render({frame.positions, report.lambda, report.converged, marks_of(frame)},
-                                     camera_at(report.frame));
+  Picture picture = renderer_.render(
+      {frame.positions, lambda_of(frame, of), report.converged, marks_of(frame)}, camera_at(report.frame));
   if (const std::optional<Legend> legend = legend_of(options_)) draw_legend(picture, *legend);
   if (loaded_.shot.preview.overlay)
-    draw_overlay(picture, moments, moments[static_cast<std::size_t>(report.frame)]);
+    draw_overlay(picture, of.moments, of.moments[static_cast<std::size_t>(report.frame)]);
   return picture;
 }
 
-std::string PictureMaker::inputs(const KeptFrame& frame, const std::vector<Moment>& moments) const {
+std::string PictureMaker::inputs(const KeptFrame& frame, const PictureRun& of) const {
   const FrameReport& report = frame.report;
   const Marks marks = marks_of(frame);
   std::vector<std::string> parts{always_,
                                  camera_text(camera_at(report.frame)),
                                  bytes_of(frame.positions),
+                                 bytes_of(lambda_of(frame, of)),
                                  bytes_of(marks.handles),
                                  bytes_of(marks.anchors),
                                  bytes_of(marks.targets)};
-  if (options_.style == Style::lambda) parts.push_back(fmt::format("{}", report.lambda));
   if (options_.style == Style::error) parts.push_back(fmt::format("{}", report.converged));
   if (loaded_.shot.preview.overlay) {
     parts.push_back(fmt::format("{} {}", report.frame, loaded_.shot.fps));
-    for (const Moment& moment : moments) parts.push_back(fmt::format("{}", moment.lambda));
+    for (const Moment& moment : of.moments) parts.push_back(fmt::format("{}", moment.lambda));
   }
   return hash_of(parts);
 }

@@ -22,10 +22,9 @@ namespace {
 
 /// The pictures of one run on their way.
 struct RunPictures {
-  const Shot& run;
+  PictureRun of;
   PictureSequence sequence;
   std::vector<int> drawn;            // frames
-  std::vector<Moment> moments;       // of the whole run
   const TakeState* state = nullptr;  // which has the solved frames; null: the spool has those that wait
   std::unique_ptr<FrameSpool> spool;
   std::optional<ClipExtent> extent;
@@ -39,10 +38,9 @@ struct RunPictures {
 
 RunPictures pictures_of(const Session& session, std::size_t number, const TakeState* state) {
   const Shot& run = session.runs[number];
-  RunPictures pictures{run,
+  RunPictures pictures{{run, moments_of(run)},
                        sequence_of(run.preview, session.options),
                        drawn_frames(run, session.options),
-                       moments_of(run),
                        state,
                        {},
                        {},
@@ -78,12 +76,12 @@ void Previews::Impl::draw(RunPictures& pictures, const KeptFrame& frame) {
     const Stopwatch watch;
     const int number = frame.report.frame;
     const std::filesystem::path path = frame_path(pictures.sequence, number);
-    const PictureTags tags{maker->inputs(frame, pictures.moments), number, number / pictures.run.fps,
+    const PictureTags tags{maker->inputs(frame, pictures.of), number, number / pictures.of.shot.fps,
                            frame.report.lambda};
     if (was_made_from(path, tags.inputs)) {
       ++pictures.report.kept;
     } else {
-      writing.start([&pictures, path, tags, picture = maker->draw(frame, pictures.moments)] {
+      writing.start([&pictures, path, tags, picture = maker->draw(frame, pictures.of)] {
         write_picture(picture, path, tags);
         ++pictures.report.drawn;
       });
@@ -125,10 +123,10 @@ void Previews::Impl::draw_waiting() {
 void Previews::Impl::make_files() {
   std::map<std::string, std::vector<const Shot*>> sheets;
   for (RunPictures& pictures : runs) {
-    const PreviewOutput& preview = pictures.run.preview;
-    if (!preview.sheet.path.empty()) sheets[preview.sheet.path].push_back(&pictures.run);
+    const PreviewOutput& preview = pictures.of.shot.preview;
+    if (!preview.sheet.path.empty()) sheets[preview.sheet.path].push_back(&pictures.of.shot);
     if (preview.gif.path.empty() || noted_signal() != 0) continue;
-    write_gif_of(pictures.run, session.options);
+    write_gif_of(pictures.of.shot, session.options);
     pictures.report.files.push_back(session.options.out_dir / preview.gif.path);
   }
   for (const auto& [path, sharing] : sheets) {
@@ -170,7 +168,7 @@ std::vector<WrittenPreview> Previews::finish() {
   for (RunPictures& pictures : impl_->runs) {
     pictures.report.seconds = impl_->seconds / static_cast<double>(impl_->runs.size());
     if (pictures.drawn.size() > 1)
-      pictures.report.ffmpeg = ffmpeg_line(pictures.sequence, pictures.drawn, pictures.run.fps);
+      pictures.report.ffmpeg = ffmpeg_line(pictures.sequence, pictures.drawn, pictures.of.shot.fps);
     written.push_back(pictures.report);
   }
   return written;

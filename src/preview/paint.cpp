@@ -17,14 +17,14 @@ std::vector<Rgb> material_colours(const Mesh& mesh) {
 
 }  // namespace
 
-Paint paint_of(const Mesh& mesh, const RenderOptions& options, const Told& told) {
+Paint paint_of(const Mesh& mesh, const RenderOptions& options, Solve solve) {
   Paint paint;
   paint.style = options.style;
   paint.base = kClay;
   paint.mesh = &mesh;
   paint.texture = &options.texture;
-  if (options.style == Style::lambda) paint.base = lambda_colour(static_cast<float>(told.lambda));
-  if (options.style == Style::error && !told.converged) paint.base = kError;
+  if (options.style == Style::lambda) paint.base = lambda_colour(0.5f);
+  if (options.style == Style::error && solve == Solve::unfinished) paint.base = kError;
   if (options.style == Style::textured && !mesh.face_material.empty())
     paint.of_material = material_colours(mesh);
   return paint;
@@ -35,6 +35,12 @@ std::vector<Rgb> displacement_colours(const Points& offsets, float top) {
   tbb::parallel_for(Eigen::Index{0}, offsets.rows(), [&](Eigen::Index v) {
     colours[static_cast<std::size_t>(v)] = viridis(top > 0 ? offsets.row(v).norm() / top : 0.0f);
   });
+  return colours;
+}
+
+std::vector<Rgb> lambda_colours(const Eigen::VectorXf& lambda) {
+  std::vector<Rgb> colours;
+  for (const float value : lambda) colours.push_back(lambda_colour(value));
   return colours;
 }
 

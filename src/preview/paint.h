@@ -4,16 +4,16 @@
 
 namespace flexkey {
 
-/// What colours may tell of a whole frame.
-struct Told {
-  double lambda = 0.5;
-  bool converged = true;
-};
+/// Whether the solver has reached the frame's shape.
+enum class Solve { converged, unfinished };
 
 /// The colours of a style, but for those of each vertex. Refers to the mesh and the options.
-Paint paint_of(const Mesh& mesh, const RenderOptions& options, const Told& told);
+Paint paint_of(const Mesh& mesh, const RenderOptions& options, Solve solve);
 
 /// A colour for each row of `offsets` by its length, the map's last one at `top`.
 std::vector<Rgb> displacement_colours(const Points& offsets, float top);
+
+/// A colour for each λ of a vertex.
+std::vector<Rgb> lambda_colours(const Eigen::VectorXf& lambda);
 
 }  // namespace flexkey

@@ -14,7 +14,7 @@ enum class Style {
   clay,          // nothing: form alone
   normals,       // directions as the camera sees them, x y z as red green blue
   displacement,  // distance from rest
-  lambda,        // λ of the frame
+  lambda,        // λ of the vertices
   error,         // clay, and red where the solver has not converged
   wire,          // clay, with the edges of the file's polygons
   textured,      // the file's base colours

@@ -61,6 +61,7 @@ struct Renderer::Impl {
 
   Impl(const Mesh& rest_mesh, const Bounds& bounds, RenderOptions chosen);
   Points refined(const Positions& positions) const;
+  Eigen::VectorXf refined_lambda(const Eigen::VectorXf& lambda) const;
   void check(const FrameState& frame) const;
   std::vector<Dot> dots(const Marks& marks, const Points& points) const;
   DrawnFrame draw(const FrameState& frame) const;
@@ -89,10 +90,20 @@ Points Renderer::Impl::refined(const Positions& positions) const {
   return subdivision.points(control);
 }
 
+Eigen::VectorXf Renderer::Impl::refined_lambda(const Eigen::VectorXf& lambda) const {
+  const std::vector<int>& vertices = subdivision.control_vertices();
+  Points control = Points::Zero(static_cast<Eigen::Index>(vertices.size()), 3);
+  control.col(0) = lambda(vertices);
+  return subdivision.points(control).col(0);
+}
+
 void Renderer::Impl::check(const FrameState& frame) const {
   if (frame.positions.rows() != mesh.vertex_count())
     throw InputError(fmt::format("a frame of {} vertices does not fit a mesh of {}", frame.positions.rows(),
                                  mesh.vertex_count()));
+  if (frame.lambda.size() != 0 && frame.lambda.size() != mesh.vertex_count())
+    throw InputError(
+        fmt::format("λ of {} vertices does not fit a mesh of {}", frame.lambda.size(), mesh.vertex_count()));
   for (Eigen::Index v = 0; v < frame.positions.rows(); ++v)
     if (!frame.positions.row(v).allFinite())
       throw InputError(fmt::format("vertex {} of the frame is not at a finite place", v));
@@ -120,7 +131,9 @@ std::vector<Dot> Renderer::Impl::dots(const Marks& marks, const Points& points) 
 DrawnFrame Renderer::Impl::draw(const FrameState& frame) const {
   Points points = refined(frame.positions);
   Points directions = normals.at(points);
-  Paint paint = paint_of(mesh, options, {frame.lambda, frame.converged});
+  Paint paint = paint_of(mesh, options, frame.converged ? Solve::converged : Solve::unfinished);
+  if (options.style == Style::lambda && frame.lambda.size() > 0)
+    paint.of_vertex = lambda_colours(refined_lambda(frame.lambda));
   if (options.style == Style::displacement) {
     const double rest_diagonal = bounds_of(mesh.positions).diagonal() * space.scale;
     const double top = options.displacement_top * rest_diagonal;

@@ -19,8 +19,8 @@ struct Marks {
 
 /// One frame to draw.
 struct FrameState {
-  const Positions& positions;  // #V x 3, vertices of the file, mesh units
-  double lambda = 0.5;
+  const Positions& positions;   // #V x 3, vertices of the file, mesh units
+  Eigen::VectorXf lambda = {};  // #V, for Style::lambda; empty: 0.5 everywhere
   bool converged = true;
   Marks marks = {};
 };

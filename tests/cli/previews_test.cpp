@@ -74,7 +74,7 @@ TEST_F(PreviewsOf, AShotLieInAFolderOfItsName) {
 TEST_F(PreviewsOf, AnyFramesAndThreadsAreTheSameFiles) {
   for (const char* camera :
        {"", ", camera: {fit: rest}", ", turntable: 0.5, style: displacement, overlay: true",
-        ", style: displacement, camera: {fit: rest}"}) {
+        ", style: displacement, camera: {fit: rest}", ", style: lambda"}) {
     const auto to = [&](const std::string& dir, const std::vector<std::string>& arguments) {
       const ProgramResult result = run_with(fmt::format("dir: {}{}", dir, camera), arguments);
       EXPECT_EQ(result.exit_code, 0) << result.errors;

@@ -61,7 +61,7 @@ TEST(RendererErrors, FramesThatDoNotFit) {
   Positions broken = cube.mesh.positions;
   broken(5, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(message({broken}), HasSubstr("vertex 5 of the frame"));
-  EXPECT_THAT(message({cube.mesh.positions, 0.5, true, {{8}, {}, {}}}), HasSubstr("no vertex 8"));
+  EXPECT_THAT(message({cube.mesh.positions, {}, true, {{8}, {}, {}}}), HasSubstr("no vertex 8"));
 }
 
 TEST(RendererErrors, AMeshThatCannotBeSubdividedIsDrawnWithOneWarning) {

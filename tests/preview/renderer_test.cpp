@@ -92,6 +92,20 @@ TEST(Renderer, TheGroundLiesWhereItIsAskedTo) {
   }
 }
 
+TEST(Renderer, LambdaIsPaintedOverTheSurface) {
+  Sitting sphere = sitting(meshes::sphere(2));
+  sphere.options.style = Style::lambda;
+  sphere.settings.elevation = 0;
+  const Camera camera = sphere.camera();
+  const Eigen::VectorXd across = sphere.mesh.positions * camera.right;
+  Renderer renderer(sphere.mesh, bounds_of(sphere.mesh.positions), sphere.options);
+  const Eigen::VectorXf lambda = (across.array() > 0).cast<float>();  // rigid on the right
+  const Picture picture = renderer.render({sphere.mesh.positions, lambda}, camera);
+  const Rgb left = at(picture, sphere, -0.6 * camera.right), right = at(picture, sphere, 0.6 * camera.right);
+  EXPECT_GT(left.z(), left.x()) << "blue";
+  EXPECT_GT(right.x(), right.z()) << "red";
+}
+
 TEST(Renderer, ThreadsDoNotChangeAPixel) {
   Sitting bar = sitting(meshes::bumpy(meshes::bar(8, 9, 40), 0.3));
   for (const Quality quality : both()) {
@@ -111,7 +125,7 @@ TEST(Renderer, AFrameAloneIsTheFrameInItsClip) {
   for (const Quality quality : both()) {
     bar.options.quality = quality;
     Renderer all(bar.mesh, bounds, bar.options), alone(bar.mesh, bounds, bar.options);
-    all.render({bar.mesh.positions, 0.5, true, {{0, 1, 2}, {3}, bent.topRows(2)}}, bar.camera());
+    all.render({bar.mesh.positions, {}, true, {{0, 1, 2}, {3}, bent.topRows(2)}}, bar.camera());
     EXPECT_EQ(all.render({bent}, bar.camera()).rgb, alone.render({bent}, bar.camera()).rgb);
   }
 }
@@ -147,10 +161,8 @@ TEST(Renderer, ErrorTintsFramesThatHaveNotConverged) {
   Sitting cube = sitting(meshes::cube());
   cube.options.style = Style::error;
   Renderer renderer(cube.mesh, bounds_of(cube.mesh.positions), cube.options);
-  const Rgb calm =
-      at(renderer.render({cube.mesh.positions, 0.5, true}, cube.camera()), cube, {0.5, 0.5, 0.5});
-  const Rgb red =
-      at(renderer.render({cube.mesh.positions, 0.5, false}, cube.camera()), cube, {0.5, 0.5, 0.5});
+  const Rgb calm = at(renderer.render({cube.mesh.positions, {}, true}, cube.camera()), cube, {0.5, 0.5, 0.5});
+  const Rgb red = at(renderer.render({cube.mesh.positions, {}, false}, cube.camera()), cube, {0.5, 0.5, 0.5});
   EXPECT_GT(red.x() / red.z(), 2 * calm.x() / calm.z());
 }
 

@@ -59,7 +59,7 @@ TEST_F(References, WiresAndMarks) {
   const Marks marks{{last - 3, last - 2, last - 1, last},
                     {last - 8, last - 9},
                     bar.mesh.positions.bottomRows(4).rowwise() + Eigen::RowVector3d(0, 1, 0)};
-  expect_like_reference(renderer.render({bar.mesh.positions, 0.5, true, marks}, bar.camera()), "wire.png");
+  expect_like_reference(renderer.render({bar.mesh.positions, {}, true, marks}, bar.camera()), "wire.png");
 }
 
 TEST_F(References, NormalsInADraft) {
