@@ -105,11 +105,7 @@ int run_export(const ShotOptions& options) {
 }
 
 int run_render(const ShotOptions& options) {
-  const Session session = open_session(options, Purpose::pictures);
-  const Shot& shot = session.loaded.shot;
-  if (shot.preview.dir.empty())
-    throw UsageError(fmt::format("{} names no pictures; add 'output: {{preview: {{}}}}'", shot.file));
-  return write_outputs(session, use_of(options));
+  return write_outputs(open_session(options, Purpose::pictures), use_of(options));
 }
 
 }  // namespace flexkey::cli

@@ -15,6 +15,7 @@ namespace {
 void drop_other_outputs(Shot& shot, Purpose purpose) {
   if (purpose == Purpose::files) shot.preview = {};
   if (purpose != Purpose::pictures) return;
+  if (shot.preview.dir.empty()) shot.preview.dir = preview_folder(shot);  // who asks for pictures gets some
   shot.gltf = {};
   shot.caches.clear();
   shot.html = {};

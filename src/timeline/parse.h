@@ -39,6 +39,9 @@ Diagnostic error_at(Mark where, const std::string& message, const std::vector<Ov
 /// constant.
 std::string expand_placeholders(const std::string& path, const Shot& shot);
 
+/// The folder of a shot's pictures where the timeline names none, placeholders and all.
+std::string preview_folder(const Shot& shot);
+
 /// One shot for each value of the sweep (or the shot itself), with λ constant where it is swept, no sweep
 /// left, and the output paths expanded.
 std::vector<Shot> runs_of(const Shot& shot);

@@ -90,7 +90,10 @@ Lambda read_lambda_mapping(const Node& node, Scope& scope) {
   if (regions != nullptr) lambda.regions = read_regions(*regions, scope);
   const Node* keys = regions != nullptr ? fields->value("keys")
                                         : require(*fields, "keys", node.where, "'lambda'", scope.findings);
-  if (keys != nullptr) lambda.keys = values_of(read_keys(*keys, ease, "'lambda'", scope), scope);
+  if (keys != nullptr)
+    lambda.keys = keys->kind == Node::Kind::scalar
+                      ? constant(*keys, scope)
+                      : values_of(read_keys(*keys, ease, "'lambda'", scope), scope);
   if (keys == nullptr && regions != nullptr) lambda.keys = {{0, default_lambda, {}}};
   return lambda;
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "flexkey/timeline/fields.h"
+#include "flexkey/timeline/parse.h"
 #include "flexkey/timeline/read_frame_ranges.h"
 #include "flexkey/timeline/read_path.h"
 #include "flexkey/timeline/read_preview_camera.h"
@@ -213,17 +214,31 @@ PreviewOutput read_preview_output(const Node& node, Scope& scope) {
   return output;
 }
 
+std::string preview_folder(const Shot& shot) {
+  return shot.sweep.lambda.size() > 1 ? "<shot>_<lambda>/" : std::string(default_preview_dir);
+}
+
 void complete_preview(Shot& shot, Findings& findings) {
   PreviewOutput& preview = shot.preview;
-  if (preview.dir == default_preview_dir && shot.sweep.lambda.size() > 1) preview.dir = "<shot>_<lambda>/";
-  for (const FrameRange& range : preview.frames)
-    if (range.last >= shot.frame_count())
-      findings.error(range.where, fmt::format("frame {} is past the shot's last frame, {}", range.last,
-                                              shot.frame_count() - 1));
-  for (const MarkedTime& moment : preview.sheet.at)
-    if (moment.time > shot.duration + 1e-6)
-      findings.error(moment.where,
-                     fmt::format("{:g}s is past the shot's end, {:g}s", moment.time, shot.duration));
+  if (preview.dir == default_preview_dir) preview.dir = preview_folder(shot);
+  const int last = shot.frame_count() - 1;
+  for (FrameRange& range : preview.frames) {
+    if (range.last <= last) continue;
+    findings.warning(range.where, fmt::format("frame {} is past the shot's last frame, {}, and is left out",
+                                              range.last, last));
+    range.last = last;
+  }
+  const bool had_frames = !preview.frames.empty();
+  const Mark where = had_frames ? preview.frames.front().where : Mark{};
+  std::erase_if(preview.frames, [](const FrameRange& range) { return range.first > range.last; });
+  if (had_frames && preview.frames.empty())
+    findings.error(where, fmt::format("no frame of these is within the shot, whose last frame is {}", last));
+  std::erase_if(preview.sheet.at, [&](const MarkedTime& moment) {
+    if (moment.time <= shot.duration + 1e-6) return false;
+    findings.warning(moment.where, fmt::format("{:g}s is past the shot's end, {:g}s, and is left out",
+                                               moment.time, shot.duration));
+    return true;
+  });
 }
 
 }  // namespace flexkey

@@ -101,6 +101,14 @@ TEST_F(Resume, OfHandlesThatFollowTheirParentsAndSway) {
       "rotate: {axis: z, keys: {0s: 0deg, 1s: 60deg}}}\nfps: 8\n");
 }
 
+TEST_F(Resume, WithLambdaPaintedInRegions) {
+  std::string painted = bent;
+  painted.replace(painted.find("lambda:"), std::string::npos,
+                  "lambda: {keys: {0s: 0.2, 1s: 0.9}, regions: [{select: {axis: z, above: 60%}, value: 1, "
+                  "feather: 5%}]}\n");
+  expect_same_in_parts(painted, 2);
+}
+
 TEST_F(Resume, OfRunsSolvedTogetherThatStoppedAtDifferentFrames) {
   const Mesh bar = meshes::bar(2, 2, 8);
   std::vector<Shot> shots(3, shot_of(bent));

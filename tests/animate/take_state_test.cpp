@@ -119,6 +119,8 @@ TEST_F(State, IsStaleWhereTheSolverGetsSomethingElse) {
     EXPECT_EQ(fault(shot_text() + "solver: {" + solver + "}\n"), "the solver's settings have changed");
   EXPECT_EQ(found(shot_text(), bar, "another").fault, "another build of flexkey solved it");
   EXPECT_EQ(fault(shot_text() + "lambda: 0.6\n"), "the motion or lambda has changed from frame 0 on");
+  EXPECT_EQ(fault(shot_text() + "lambda: {keys: 0.5, regions: [{select: {vertices: [0]}, value: 0.6}]}\n"),
+            "the motion or lambda has changed from frame 0 on");
 }
 
 TEST_F(State, KeepsTheFramesBeforeAChangeOfTheMotion) {

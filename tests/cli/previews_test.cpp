@@ -206,10 +206,11 @@ TEST_F(PreviewsOf, PickedFramesAreThoseOfTheOtherFilesToo) {
   EXPECT_EQ(bytes_of("bar.mdd"), cache);
 }
 
-TEST_F(PreviewsOf, RenderNeedsAPreview) {
-  const ProgramResult result = run({"render", "shot.yaml"});
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors, HasSubstr("names no pictures; add 'output: {preview: {}}'"));
+TEST_F(PreviewsOf, RenderDrawsThoseThatTheShotDoesNotName) {
+  ASSERT_EQ(run({"solve", "shot.yaml"}).exit_code, 0);
+  const ProgramResult result = run({"render", "shot.yaml", "--frames", "0,4", "--no-solve"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(names_in("shot"), testing::ElementsAre("0000.png", "0004.png"));
 }
 
 TEST_F(PreviewsOf, AreInTheReport) {

@@ -126,8 +126,13 @@ TEST(PreviewOutputs, NumbersHaveBounds) {
 TEST(PreviewOutputs, FramesAreRangesWithinTheShot) {
   EXPECT_THAT(frames_in(preview_of("{frames: '0-2, 7,4-8x4'}").frames), ElementsAre(0, 1, 2, 4, 7, 8));
   EXPECT_THAT(frames_in(preview_of("{frames: 48}").frames), ElementsAre(48));
-  EXPECT_EQ(errors_of_preview("{frames: [0-4, 40-49]}"),
-            "shot.yaml:5:34: error: frame 49 is past the shot's last frame, 48");
+  EXPECT_THAT(frames_in(preview_of("{frames: [0-4x2, 47-60]}").frames), ElementsAre(0, 2, 4, 47, 48));
+  EXPECT_THAT(
+      warnings_of(with_preview("{frames: [0-4, 40-49, 60]}")),
+      ElementsAre("shot.yaml:5:34: warning: frame 49 is past the shot's last frame, 48, and is left out",
+                  "shot.yaml:5:41: warning: frame 60 is past the shot's last frame, 48, and is left out"));
+  EXPECT_EQ(errors_of_preview("{frames: [60-70]}"),
+            "shot.yaml:5:29: error: no frame of these is within the shot, whose last frame is 48");
   for (const char* wrong : {"3-1", "a", "1-2x0", "-3", "''", "'1,'", "[[1]]"})
     EXPECT_THAT(errors_of_preview("{frames: " + std::string(wrong) + "}"),
                 HasSubstr("is not a frame, a range 0-30 or a stepped range 60-90x2"))
@@ -140,8 +145,8 @@ TEST(PreviewOutputs, FilesNameTheirKind) {
   EXPECT_EQ(errors_of_preview("{gif: {width: 3}}"), "shot.yaml:5:25: error: 'gif' needs 'path'");
   EXPECT_THAT(errors_of_preview("{contact_sheet: a.bmp}"), HasSubstr("ends in '.png' or '.exr' or '.webp'"));
   EXPECT_EQ(preview_of("{contact_sheet: {at: [1s]}}").sheet.path, "<shot>.png");
-  EXPECT_EQ(errors_of_preview("{contact_sheet: {at: [1s, 3s]}}"),
-            "shot.yaml:5:45: error: 3s is past the shot's end, 2s");
+  EXPECT_THAT(warnings_of(with_preview("{contact_sheet: {at: [1s, 3s]}}")),
+              ElementsAre("shot.yaml:5:45: warning: 3s is past the shot's end, 2s, and is left out"));
 }
 
 TEST(PreviewOutputs, OfASweepNeedAFolderEach) {
