@@ -115,13 +115,14 @@ double unevenness(const LongBar& bar, const Positions& positions, double degrees
 }
 
 // The ends are clamped, so that the twist is a little less there than in the middle: in eq 7 more than in
-// eq 5.
+// eq 5. At λ = 0.5 the last tenth of the way takes up to some 200 solves a frame; where a cap cuts them
+// short, rounding decides where the bar goes.
 TEST(Prediction, ALongBarFollowsTwoTurnsAndComesBack) {
   const LongBar bar(3, 60);
   for (const System system : {System::least_squares, System::direct})
     for (const double lambda : {0.5, 1.0}) {
       const Deformer deformer(bar.mesh, bar.constraints,
-                              {.system = system, .iterations = 100, .tolerance = 1e-5});
+                              {.system = system, .iterations = 300, .tolerance = 1e-5});
       Pose pose = deformer.rest_pose();
       bool slipped = false;
       for (int degrees = 10; degrees <= 720; degrees += 10)
