@@ -9,15 +9,29 @@ namespace flexkey {
 namespace {
 
 constexpr double tolerated_growth = 2;  // of the residual over one mixed step
+constexpr double apart = 1e-6;  // of a direction of steps against the longest, squared: below it is rounding
+constexpr double least_change = 1e-10;  // ‖Δf‖²/‖Δx‖² that products of differences can show
 constexpr double independent = 1e-10;   // sin² of the angle between a difference and those newer than it
 
+/// Largest ‖ΔX c‖/‖ΔF c‖ over the own differences: with ΔX V orthonormal, 1 over the least singular value of
+/// ΔF V.
 double longest_stretch(const History& history) {
-  double stretch = 0;
-  for (int a = 0; a < history.differences(); ++a) {
-    const double change = std::sqrt(history.product(a, a));
-    if (change > 0) stretch = std::max(stretch, history.way(a) / change);
+  const int n = history.own();
+  Eigen::MatrixXd X(n, n), F(n, n);
+  for (int a = 0; a < n; ++a) {
+    for (int b = 0; b < n; ++b) {
+      const double lengths = std::sqrt(history.way_product(a, a) * history.way_product(b, b));
+      X(a, b) = history.way_product(a, b) / lengths;
+      F(a, b) = history.product(a, b) / lengths;
+    }
   }
-  return stretch;
+  if (n == 0 || !X.allFinite() || !F.allFinite()) return 0;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ways(X);
+  const auto spanned = (ways.eigenvalues().array() > apart * ways.eigenvalues()(n - 1)).count();
+  const Eigen::MatrixXd V = ways.eigenvectors().rightCols(spanned) *
+                            ways.eigenvalues().tail(spanned).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> changes(V.transpose() * F * V, Eigen::EigenvaluesOnly);
+  return 1 / std::sqrt(std::max(changes.eigenvalues()(0), least_change));
 }
 
 /// The γ of least ‖f − Σ γ_a Δf_a‖, by the Cholesky factor of the normal equations of the Δf_a/‖Δf_a‖. They
@@ -54,7 +68,7 @@ Eigen::VectorXd best_mixture(const History& history) {
 
 const Mixture& Anderson::next(const Positions& x, const Positions& f) {
   history_.add(x, f);
-  stretch_ = longest_stretch(history_);
+  stretch_ = std::max(stretch_, longest_stretch(history_));
   if (before_ > 0 && history_.residual() > tolerated_growth * before_) history_.forget();
   before_ = history_.residual();
   const Eigen::VectorXd gamma = best_mixture(history_);

@@ -10,7 +10,7 @@ namespace flexkey {
 class Anderson {
  public:
   /// window: how many differences of iterates are kept.
-  Anderson() : Anderson(5) {}
+  Anderson() : Anderson(8) {}
   explicit Anderson(int window) : history_(window) {}
 
   /// From x and its residual f, both n x 3, the next x, which is valid until the next call. With an empty
@@ -23,18 +23,21 @@ class Anderson {
   void turn_to_next_map();
 
   int differences() const { return history_.differences(); }
+  /// Whether all that the window can hold comes from this map.
+  bool is_full() const { return history_.own() == history_.window(); }
 
-  /// Largest ‖Δx‖/‖Δf‖ of the window: how much farther the fixed point may be than the residual says.
-  /// 0 while the window is empty.
+  /// How much farther the fixed point may be than the residual says: the largest ‖ΔX c‖/‖ΔF c‖ over all
+  /// combinations of one map's differences, a lower bound of ‖(1 − G′)⁻¹‖, for the slowest of all maps so
+  /// far. 0 while there was no difference.
   double stretch() const { return stretch_; }
 
   /// What the next map is turned to with, for an archive.
   template <MaybeConst<Anderson> Self>
   static auto members_of(Self& self) {
-    return std::tie(self.history_);
+    return std::tie(self.history_, self.stretch_);
   }
   /// Whether a loaded one is sound and of iterates with so many rows.
-  bool fits(Eigen::Index rows) const { return history_.fits(rows); }
+  bool fits(Eigen::Index rows) const { return stretch_ >= 0 && history_.fits(rows); }
 
  private:
   History history_;

@@ -16,6 +16,7 @@ struct Course {
   double recurrence = most_recurrence;  // the share of such deviations that comes again in the next frame
   double pace = 0;                      // ‖Δ targets‖ of the last frame
   Anderson window;                      // the last differences of iterates
+  int frames = 0;                       // solved so far, see Iterate
   double unseen = 0;                    // see Iterate
   Positions winding{0, 3};              // #fitted x 3, the rotation vectors of each cell's frames added up
   Positions handle_winding{0, 3};       // #handles x 3, likewise of the handles' turns
@@ -24,8 +25,8 @@ struct Course {
 
 template <MaybeConst<Course> Self>
 auto members_of(Self& course) {
-  auto& [deviations, recurrence, pace, window, unseen, winding, handle_winding, slipped] = course;
-  return std::tie(deviations, recurrence, pace, window, unseen, winding, handle_winding, slipped);
+  auto& [deviations, recurrence, pace, window, frames, unseen, winding, handle_winding, slipped] = course;
+  return std::tie(deviations, recurrence, pace, window, frames, unseen, winding, handle_winding, slipped);
 }
 
 }  // namespace flexkey

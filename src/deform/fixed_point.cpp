@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -20,9 +21,18 @@ constexpr double still = 1e-6;
 /// contraction by 0.98 λ, and this one for small λ.
 constexpr double slow = 0.98;
 constexpr double least_stretch = 4;
+/// Of what is learned of κ, as much as counts: frames that must meet more of it mostly run into their cap.
+constexpr double most_learned_stretch = 40;
 /// What a further look leaves of what earlier frames were off.
-constexpr double unpaid = 0.7;
+constexpr double unpaid = 0.6;
+/// From this frame on those numbered by a power of two fill the window, as κ shows only in many looks: seldom
+/// enough to be cheap.
+constexpr int first_survey = 16;
 constexpr double unknown = std::numeric_limits<double>::infinity();
+
+bool surveys(int frame) {
+  return frame >= first_survey && std::has_single_bit(static_cast<unsigned>(frame));
+}
 
 double greatest(const Eigen::VectorXd& lambda) {
   return lambda.size() > 0 ? lambda.maxCoeff() : 0;
@@ -35,7 +45,7 @@ class Iteration {
       : problem_(problem),
         result_{std::move(from), {}},
         least_stretch_(std::max(least_stretch, 1 / (1 - slow * greatest(result_.at.lambda)))),
-        carried_(result_.at.unseen) {
+        carried_(result_.at.frame < first_survey ? result_.at.unseen : 0) {
     result_.at.window.turn_to_next_map();
   }
 
@@ -52,6 +62,7 @@ class Iteration {
   void move(const Positions& by);
   void go(const Positions& to);
   double estimated_distance(const Mixture& mixed);
+  bool surveys_on() const;
   bool settles(double estimate);
 
   const Problem& problem_;
@@ -98,7 +109,7 @@ void Iteration::take(Positions step) {
   } else {
     start_ = result_.at.positions.topRows(problem_.patch.free);
     const Mixture& mixed = result_.at.window.next(start_, step_);
-    done_ = settles(estimated_distance(mixed)) || is_last;
+    done_ = (settles(estimated_distance(mixed)) && !surveys_on()) || is_last;
     if (done_) {
       move(step_);
     } else {
@@ -118,15 +129,23 @@ void Iteration::go(const Positions& to) {
 }
 
 /// As a share of the diagonal. A frame of one or two looks hardly moves along the slowest directions, so that
-/// what is wrong in them goes on to the next frame: estimates add up, and further looks pay them off.
+/// what is wrong in them goes on to the next frame. Until a survey has shown how slow they are, estimates add
+/// up, and further looks pay them off.
 double Iteration::estimated_distance(const Mixture& mixed) {
   Iterate& at = result_.at;
   if (at.window.differences() == 0) return unknown;
-  const double stretch = std::max(least_stretch_, at.window.stretch());
-  const double estimate = (mixed.jump + stretch * mixed.left) / problem_.diagonal;
+  const auto distance = [&](double stretch) {
+    return (mixed.jump + stretch * mixed.left) / problem_.diagonal;
+  };
   if (result_.report.solves > 2) carried_ *= unpaid;
-  at.unseen = carried_ + estimate;
-  return at.unseen;
+  at.unseen = carried_ + distance(least_stretch_);
+  return std::max(at.unseen, distance(std::min(at.window.stretch(), most_learned_stretch)));
+}
+
+/// Whether a look shows more of κ, though the frame has settled. Rounding noise shows nothing.
+bool Iteration::surveys_on() const {
+  const bool is_still = result_.report.step <= still * problem_.options.tolerance;
+  return surveys(result_.at.frame) && !result_.at.window.is_full() && !is_still;
 }
 
 bool Iteration::settles(double estimate) {

@@ -30,8 +30,9 @@ struct Iterate {
   Positions soft;          // #springs x 3, the frame's targets of the soft handles
   Anderson window;         // with what earlier frames left in it
   int most_solves = 0;
-  double unseen =
-      0;  // what earlier frames were estimated to be off, as far as later looks have not paid it off
+  int frame = 1;      // of the course, from 1
+  double unseen = 0;  // what earlier frames were estimated to be off, as far as later looks have not paid
+                      // it off, while too little is known of the slow directions to see it
 };
 
 struct FixedPoint {
@@ -46,10 +47,11 @@ void refit(const Problem& problem, Iterate& at);
 /// most_solves global steps; those of all are solved in one pass, and the answers are those of single runs.
 /// An answer is always what a solve gave. It counts as converged when the estimated distance to the fixed
 /// point that plain iteration would reach is within the tolerance: with acceleration what the mixture still
-/// moves, and of what it cannot cancel κ times, κ = ‖ΔP‖/‖Δf‖ at its largest and no less than a contraction
-/// by 0.98 λ promises, nor than 4, and a part of what
-/// the frames before were off; without, the geometric series of the shrinking steps. Throws DeformError
-/// if positions leave the range of numbers.
+/// moves, and of what it cannot cancel κ times, κ = ‖ΔP‖/‖Δf‖ at its largest over the course, see
+/// Anderson::stretch, and no less than a contraction by 0.98 λ promises, nor than 4; in the first frames a
+/// part of what those before were off as well; without, the geometric series of the shrinking steps. Now and
+/// then a frame goes on until it fills the window, as a few looks do not show κ. Throws DeformError if
+/// positions leave the range of numbers.
 std::vector<FixedPoint> iterate(const Problem& problem, std::vector<Iterate> from);
 
 }  // namespace flexkey

@@ -79,6 +79,7 @@ Iterate start(const Problem& problem, Pose& pose, const Prediction& prediction) 
                         ? turned_further(prediction.turned, pose.course.recurrence * prediction.expected)
                         : prediction.turned;
   from.window = std::exchange(pose.course.window, {});
+  from.frame = ++pose.course.frames;
   from.unseen = pose.course.unseen;
   // From rest, R = S = 1 makes the first solve the naive Laplacian one that the paper starts from.
   const int naive_start = options.fixed_count && !pose.started ? 1 : 0;

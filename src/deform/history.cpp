@@ -59,18 +59,28 @@ struct Arrival {
   }
 }
 
-/// Over the chunk: ‖f‖², Δf_a · f of each a, and of a new difference ‖Δx_0‖² and Δf_a · Δf_0.
-FLEXKEY_CLONES void arrive(const Arrival& in, const Chunk& at, int differences, bool grew) {
+/// How many differences there are, and how many of the newest are of this sequence; the first of those is
+/// new.
+struct Counts {
+  int all = 0, own = 0;
+};
+
+/// Over the chunk: ‖f‖², Δf_a · f of each a, and of a new difference Δf_a · Δf_0, and Δx_a · Δx_0 of the own.
+FLEXKEY_CLONES void arrive(const Arrival& in, const Chunk& at, Counts differences) {
+  const bool grew = differences.own > 0;
   file(in, at, grew);
   double* sums = in.sums;
   *sums++ = dot(at.f, at.f);
-  for (int a = 0; a < differences; ++a) *sums++ = dot(at.f_change(a), at.f);
+  for (int a = 0; a < differences.all; ++a) *sums++ = dot(at.f_change(a), at.f);
   if (!grew) return;
   const double *f_change = at.f_change(0), *g_change = at.g_change(0);
-  double way[chunk];
+  for (int a = 0; a < differences.all; ++a) *sums++ = dot(at.f_change(a), f_change);
+  double way[chunk], older[chunk];
   for (int i = 0; i < chunk; ++i) way[i] = g_change[i] - f_change[i];
-  *sums++ = dot(way, way);
-  for (int a = 0; a < differences; ++a) *sums++ = dot(at.f_change(a), f_change);
+  for (int a = 0; a < differences.own; ++a) {
+    for (int i = 0; i < chunk; ++i) older[i] = at.g_change(a)[i] - at.f_change(a)[i];
+    *sums++ = dot(older, way);
+  }
 }
 
 [[gnu::always_inline]] inline double longest_row(const double* rows, int size) {
@@ -117,7 +127,7 @@ History::History(int window)
       g_change_(window),
       products_(Eigen::MatrixXd::Zero(window, window)),
       along_(window),
-      way_(Eigen::VectorXd::Zero(window)) {
+      ways_(window, window) {
   std::iota(slots_.begin(), slots_.end(), 0);
 }
 
@@ -127,18 +137,19 @@ void History::add(const Positions& x, const Positions& f) {
   const bool grew = follows_;
   if (grew) {
     differences_ = std::min(differences_ + 1, window);
+    own_ = std::min(own_ + 1, window);
     std::rotate(slots_.begin(), slots_.end() - 1, slots_.end());
     take_chunks(f_change_[slots_[0]], chunks);
     take_chunks(g_change_[slots_[0]], chunks);
   }
   take_chunks(f_, chunks);
   take_chunks(g_, chunks);
-  if (shares_.size() == 0) shares_.resize(2 * window + 2, chunks);
+  if (shares_.size() == 0) shares_.resize(3 * window + 1, chunks);
   tbb::parallel_for(Eigen::Index{0}, chunks, [&](Eigen::Index k) {
     const Eigen::Index begin = k * chunk, size = std::min<Eigen::Index>(chunk, x.size() - begin);
     const Arrival arrival{x.data() + begin, f.data() + begin, static_cast<int>(size), shares_.col(k).data()};
     const Chunk at{f_.data() + begin, g_.data() + begin, f_change_, g_change_, slots_, begin};
-    arrive(arrival, at, differences_, grew);
+    arrive(arrival, at, {differences_, own_});
   });
   mixture_.positions.resize(x.rows(), 3);
   follows_ = true;
@@ -147,15 +158,16 @@ void History::add(const Positions& x, const Positions& f) {
 
 /// Chunk after chunk, whoever worked them out.
 void History::sum_up(bool grew) {
-  const int sums = grew ? 2 * differences_ + 2 : differences_ + 1;
+  const int sums = 1 + differences_ + (grew ? differences_ + own_ : 0);
   Eigen::VectorXd total = Eigen::VectorXd::Zero(sums);
   for (Eigen::Index k = 0; k < shares_.cols(); ++k) total += shares_.col(k).head(sums);
   residual_ = std::sqrt(total(0));
   along_.head(differences_) = total.segment(1, differences_);
   if (!grew) return;
-  way_(slots_[0]) = std::sqrt(total(differences_ + 1));
   for (int a = 0; a < differences_; ++a)
-    products_(slots_[a], slots_[0]) = products_(slots_[0], slots_[a]) = total(differences_ + 2 + a);
+    products_(slots_[a], slots_[0]) = products_(slots_[0], slots_[a]) = total(differences_ + 1 + a);
+  for (int a = 0; a < own_; ++a)
+    ways_(slots_[a], slots_[0]) = ways_(slots_[0], slots_[a]) = total(2 * differences_ + 1 + a);
 }
 
 const Mixture& History::mix(const Eigen::VectorXd& gamma) {
@@ -175,8 +187,7 @@ bool History::fits(Eigen::Index rows) const {
   std::vector<int> places(window);
   std::iota(places.begin(), places.end(), 0);
   const bool same_window = f_change_.size() == window && g_change_.size() == window &&
-                           products_.rows() == along_.size() && products_.cols() == along_.size() &&
-                           way_.size() == along_.size();
+                           products_.rows() == along_.size() && products_.cols() == along_.size();
   if (!same_window || differences_ < 0 || differences_ > along_.size() ||
       !std::is_permutation(slots_.begin(), slots_.end(), places.begin(), places.end()))
     return false;

@@ -51,6 +51,26 @@ TEST(Anderson, TheStretchTellsHowFarTheFixedPointIs) {
   EXPECT_LT(left, 10 * anderson.stretch() * residual);
 }
 
+TEST(Anderson, ASlowDirectionHiddenAmongFastOnesShowsAndIsRemembered) {
+  Contraction contraction;
+  contraction.rates = Eigen::VectorXd::LinSpaced(12, 0.05, 0.3);
+  contraction.rates[0] = 0.98;
+  contraction.fixed_point.setOnes();
+  contraction.fixed_point(0, 0) = 0.1;
+  Anderson anderson(8);
+  Positions x = Positions::Zero(4, 3);
+  for (int k = 0; k < 2; ++k) x = anderson.next(x, contraction.residual(x)).positions;
+  EXPECT_LT(anderson.stretch(), 2);
+  for (int k = 0; k < 6; ++k) x = anderson.next(x, contraction.residual(x)).positions;
+  const double learned = anderson.stretch();
+  EXPECT_GT(learned, 40);
+  EXPECT_LT(learned, 51);
+  anderson.turn_to_next_map();
+  contraction.fixed_point.array() += 0.5;
+  for (int k = 0; k < 2; ++k) x = anderson.next(x, contraction.residual(x)).positions;
+  EXPECT_GE(anderson.stretch(), learned);
+}
+
 /// Iterates and residuals of a slow contraction on n points, as the first few calls meet them.
 struct Walk {
   std::vector<Positions> x, f;
@@ -100,8 +120,10 @@ TEST(Anderson, ADifferenceWithinTheNewerOnesChangesNothing) {
   const Positions along = path.f[1] - path.f[0], step = path.x[1] - path.x[0];
   Anderson three(3), one(1);
   Positions mixed, expected;
-  for (int k = 0; k < 4; ++k) mixed = three.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along).positions;
-  for (int k = 2; k < 4; ++k) expected = one.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along).positions;
+  for (int k = 0; k < 4; ++k)
+    mixed = three.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along).positions;
+  for (int k = 2; k < 4; ++k)
+    expected = one.next(path.x[0] + k * step, path.f[0] + 1e-3 * k * along).positions;
   EXPECT_LT((mixed - expected).norm(), 1e-9 * expected.norm());
 }
 
