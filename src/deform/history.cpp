@@ -11,7 +11,7 @@
 namespace flexkey {
 namespace {
 
-constexpr int chunk = 384;  // numbers at a time, whole rows: what a window has of them fits the nearest cache
+constexpr int chunk = 192;  // numbers at a time, whole rows: what a window has of them fits the nearest cache
 constexpr int width = 4;    // numbers that are summed side by side
 
 using Four = double __attribute__((vector_size(width * sizeof(double)), aligned(sizeof(double)), may_alias));
