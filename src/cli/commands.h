@@ -27,4 +27,14 @@ struct InspectOptions {
 /// `flexkey inspect`: counts, bounds, parts and defects of a mesh. Returns an ExitCode.
 int run_inspect(const InspectOptions& options);
 
+struct InitOptions {
+  std::string mesh;    // a path
+  std::string shot;    // where the timeline goes, "-" for standard output; empty: by the mesh's name
+  bool force = false;  // replace what is there
+  bool quiet = false;
+};
+
+/// `flexkey init`: writes a first timeline for a mesh. Returns an ExitCode.
+int run_init(const InitOptions& options);
+
 }  // namespace flexkey::cli

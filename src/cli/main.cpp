@@ -81,8 +81,8 @@ int guarded(Command command) {
 
 /// What is wrong with the command's name, or nothing; flags and no name at all are left to CLI11.
 std::string unknown_command(int argc, char** argv) {
-  const std::vector<std::string> built{"animate", "solve", "export", "render", "check", "inspect"};
-  const std::vector<std::string> planned{"init", "pick", "watch", "schema"};
+  const std::vector<std::string> built{"animate", "solve", "export", "render", "check", "inspect", "init"};
+  const std::vector<std::string> planned{"pick", "watch", "schema"};
   if (argc < 2 || argv[1][0] == '-') return {};
   const std::string name = argv[1];
   if (std::find(built.begin(), built.end(), name) != built.end()) return {};
@@ -139,6 +139,17 @@ int main(int argc, char** argv) {
   inspect->add_flag("--json", inspect_options.json, "Print them as JSON");
   inspect->footer("Example:\n  flexkey inspect timelines/meshes/pig.obj\n");
 
+  InitOptions init_options;
+  CLI::App* init =
+      app.add_subcommand("init", "Write a first timeline for a mesh, with comments, that runs as it is");
+  init->add_option("mesh", init_options.mesh, "Mesh file: OBJ, GLB or glTF")->required()->type_name("MESH");
+  init->add_option("shot", init_options.shot,
+                   "Timeline to write, or - for standard output (default: MESH's name)")
+      ->type_name("SHOT.yaml");
+  init->add_flag("--force", init_options.force, "Replace a timeline that is there");
+  init->add_flag("-q,--quiet", init_options.quiet, "Print errors only");
+  init->footer("Example:\n  flexkey init cow.obj shot.yaml && flexkey animate shot.yaml -d out\n");
+
   report_failed_writes();
   if (const std::string unknown = unknown_command(argc, argv); !unknown.empty()) {
     say(fmt::format("flexkey: error: {}\n", unknown));
@@ -156,6 +167,7 @@ int main(int argc, char** argv) {
   if (solve->parsed()) return guarded([&] { return run_solve(options); });
   if (write->parsed()) return guarded([&] { return run_export(options); });
   if (render->parsed()) return guarded([&] { return run_render(options); });
+  if (init->parsed()) return guarded([&] { return run_init(init_options); });
   if (inspect->parsed()) return guarded([&] { return run_inspect(inspect_options); });
   return guarded([&] { return run_check(options); });
 }
