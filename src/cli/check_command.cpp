@@ -10,9 +10,11 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/handle_paths.h"
 #include "cli/html_page.h"
 #include "cli/load.h"
 #include "cli/previews.h"
+#include "cli/shot_picture.h"
 #include "flexkey/animate/scene.h"
 #include "flexkey/mesh/connectivity.h"
 #include "flexkey/mesh/defects.h"
@@ -51,14 +53,30 @@ json vec_json(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-json summary(const LoadedShot& loaded, const Scene& scene) {
+json handles_json(const Shot& shot, const Scene& scene) {
+  const std::vector<double> times = moments_to_look_at(shot);
   json handles = json::array();
-  for (const SceneHandle& bound : scene.handles)
-    handles.push_back({{"name", bound.handle.name},
-                       {"vertices", file_vertices(scene, bound.vertices)},
-                       {"anchor", bound.handle.is_anchor()},
-                       {"motions", motions_of(bound.handle)},
-                       {"pivot", vec_json(bound.pivot)}});
+  for (std::size_t h = 0; h < scene.handles.size(); ++h) {
+    const auto& [handle, vertices, rest, pivot] = scene.handles[h];
+    json active = json::array();
+    for (const Interval& interval : handle.active) active.push_back({interval.from, interval.to});
+    handles.push_back({{"name", handle.name},
+                       {"vertices", file_vertices(scene, vertices)},
+                       {"anchor", handle.is_anchor()},
+                       {"motions", motions_of(handle)},
+                       {"pivot", vec_json(pivot)},
+                       {"weight", handle.weight},
+                       {"active", std::move(active)},
+                       {"reach", reach_of(scene, static_cast<int>(h), times)}});
+  }
+  return handles;
+}
+
+json summary(const LoadedShot& loaded, const Scene& scene) {
+  json rigid = json::array();
+  for (std::size_t k = 0; k < scene.constraints.rigid.size(); ++k)
+    rigid.push_back({{"name", loaded.shot.rigid[k].name},
+                     {"vertices", file_vertices(scene, scene.constraints.rigid[k])}});
   json outputs = json::array();
   for (const Shot& run : runs_of(loaded.shot)) {
     if (!run.gltf.path.empty()) outputs.push_back(run.gltf.path);
@@ -81,6 +99,7 @@ json summary(const LoadedShot& loaded, const Scene& scene) {
             {"faces", loaded.mesh.face_count()},
             {"components", find_components(scene.weld.surface).count},
             {"bounds", {{"min", vec_json(bounds.min)}, {"max", vec_json(bounds.max)}}},
+            {"diagonal", bounds.diagonal()},
             {"groups", std::move(groups)},
             {"defects", describe(find_defects(scene.weld.surface))}}},
           {"fps", loaded.shot.fps},
@@ -88,9 +107,55 @@ json summary(const LoadedShot& loaded, const Scene& scene) {
           {"frames", loaded.shot.frame_count()},
           {"roi", {{"vertices", scene.region_vertices}, {"free", scene.free_vertices}}},
           {"riders", scene.riders.size()},
-          {"handles", std::move(handles)},
+          {"handles", handles_json(loaded.shot, scene)},
+          {"rigid", std::move(rigid)},
+          {"lambda",
+           {{"first", loaded.shot.lambda.front().value},
+            {"last", loaded.shot.lambda.back().value},
+            {"regions", loaded.shot.regions.size()}}},
+          {"runs", runs_of(loaded.shot).size()},
           {"outputs", std::move(outputs)},
           {"warnings", loaded.warnings}};
+}
+
+/// "soft 0.5, from 1 s to 2 s": what is unusual of a handle.
+std::string remarks_of(const json& handle) {
+  std::vector<std::string> remarks;
+  if (const double weight = handle["weight"].get<double>(); weight < 1)
+    remarks.push_back(fmt::format("soft {:g}", weight));
+  for (const json& interval : handle["active"])
+    remarks.push_back(
+        fmt::format("from {:g} s to {:g} s", interval[0].get<double>(), interval[1].get<double>()));
+  return fmt::format("{}", fmt::join(remarks, ", "));
+}
+
+/// The handles in columns.
+void print_handles(const json& handles, double diagonal) {
+  std::size_t width = 4;
+  for (const json& handle : handles) width = std::max(width, handle["name"].get<std::string>().size());
+  print_result(fmt::format("         {:<{}}  vertices  farthest from rest   motion\n", "name", width));
+  for (const json& handle : handles) {
+    const auto motions = handle["motions"].get<std::vector<std::string>>();
+    const double reach = handle["reach"].get<double>();
+    const bool is_anchor = handle["anchor"].get<bool>();
+    const std::string far =
+        is_anchor ? std::string("-") : fmt::format("{:.4g} ({:.1f} %)", reach, 100 * reach / diagonal);
+    const std::string remarks = remarks_of(handle);
+    const std::string line =
+        fmt::format("{}   {:<{}}  {:>8}  {:<18}   {}{}{}", is_anchor ? "anchor" : "handle",
+                    handle["name"].get<std::string>(), width, handle["vertices"].get<int>(), far,
+                    is_anchor ? "held" : fmt::format("{}", fmt::join(motions, ", ")),
+                    remarks.empty() ? "" : "; ", remarks);
+    print_result(fmt::format("{}\n", line));
+  }
+}
+
+std::string lambda_text(const json& lambda) {
+  const double first = lambda["first"].get<double>(), last = lambda["last"].get<double>();
+  const int regions = lambda["regions"].get<int>();
+  const std::string text =
+      first == last ? fmt::format("{:g}", first) : fmt::format("{:g} .. {:g}", first, last);
+  return regions == 0 ? text : fmt::format("{}, and {} region(s) of its own", text, regions);
 }
 
 void print_text(const json& summary) {
@@ -98,22 +163,32 @@ void print_text(const json& summary) {
   print_result(fmt::format("{}: {} frames at {:g} fps, {:g} s\n", summary["shot"].get<std::string>(),
                            summary["frames"].get<int>(), summary["fps"].get<double>(),
                            summary["duration"].get<double>()));
-  print_result(fmt::format("mesh     {}: {} vertices, {} faces, {} component(s)\n",
+  print_result(fmt::format("mesh     {}: {} vertices, {} faces, {} component(s), diagonal {:.4g}\n",
                            mesh["file"].get<std::string>(), mesh["vertices"].get<int>(),
-                           mesh["faces"].get<int>(), mesh["components"].get<int>()));
+                           mesh["faces"].get<int>(), mesh["components"].get<int>(),
+                           mesh["diagonal"].get<double>()));
   print_result(fmt::format("region   {} vertices, {} of them free\n", summary["roi"]["vertices"].get<int>(),
                            summary["roi"]["free"].get<int>()));
   if (const int riders = summary["riders"].get<int>(); riders > 0)
     print_result(
         fmt::format("loose    {} component(s) that no handle touches ride on the surface\n", riders));
-  for (const json& handle : summary["handles"]) {
-    const auto motions = handle["motions"].get<std::vector<std::string>>();
-    print_result(fmt::format(
-        "{}   {:<16} {:>6} vertices   {}\n", handle["anchor"].get<bool>() ? "anchor" : "handle",
-        handle["name"].get<std::string>(), handle["vertices"].get<int>(), fmt::join(motions, ", ")));
-  }
+  print_result(fmt::format("lambda   {}\n", lambda_text(summary["lambda"])));
+  print_handles(summary["handles"], mesh["diagonal"].get<double>());
+  for (const json& region : summary["rigid"])
+    print_result(fmt::format("rigid    {}: {} vertices\n", region["name"].get<std::string>(),
+                             region["vertices"].get<int>()));
+  if (const int runs = summary["runs"].get<int>(); runs > 1)
+    print_result(fmt::format("sweep    {} runs\n", runs));
   for (const json& output : summary["outputs"])
     print_result(fmt::format("output   {}\n", output.get<std::string>()));
+}
+
+/// Draws the picture that is asked for, and says where it is.
+void draw_picture(const LoadedShot& loaded, const Scene& scene, const ShotOptions& options) {
+  const std::filesystem::path path = options.out_dir / options.picture;
+  check_shot_picture(loaded, path);
+  write_shot_picture(loaded, scene, path);
+  if (!options.json && !options.quiet) print_result(fmt::format("picture  {}\n", path.string()));
 }
 
 }  // namespace
@@ -134,6 +209,7 @@ int run_check(const ShotOptions& options) {
   } else if (!options.quiet) {
     print_text(report);
   }
+  if (!options.picture.empty()) draw_picture(loaded, scene, options);
   return done;
 }
 

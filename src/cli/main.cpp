@@ -128,7 +128,11 @@ int main(int argc, char** argv) {
   CLI::App* check =
       app.add_subcommand("check", "Parse a shot, load its mesh, resolve every selection; solve nothing");
   add_shot_options(*check, options);
-  check->footer("Example:\n  flexkey check timelines/leg.yaml --json\n");
+  check
+      ->add_option("--picture", options.picture,
+                   "Draw the mesh with its handles, anchors, region and paths, each handle named")
+      ->type_name("FILE");
+  check->footer("Example:\n  flexkey check timelines/jaw.yaml --picture out/jaw.png\n");
 
   InspectOptions inspect_options;
   CLI::App* inspect =

@@ -25,7 +25,8 @@ struct ShotOptions {
   bool json = false;
   bool quiet = false;
   bool strict = false;
-  bool no_solve = false;  // refuse where the shot's state is missing or stale
+  std::filesystem::path picture;  // that `check` draws, from the outputs' folder; empty: none
+  bool no_solve = false;          // refuse where the shot's state is missing or stale
 
   /// `set`, split at the first '='. Throws UsageError.
   std::vector<Override> overrides() const;

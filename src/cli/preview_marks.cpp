@@ -1,9 +1,8 @@
 #include "cli/preview_marks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
+#include "cli/handle_paths.h"
 #include "flexkey/animate/handle_states.h"
 #include "flexkey/mesh/connectivity.h"
 #include "flexkey/timeline/sampling.h"
@@ -22,24 +21,9 @@ std::vector<int> file_vertices(const Weld& weld) {
 /// The time of the handle's first key after `time`, or `time` where there is none.
 double next_key(const Handle& handle, double time) {
   constexpr double instant = 1e-9;
-  double next = std::numeric_limits<double>::infinity();
-  const auto look = [&](const auto& track) {
-    for (const auto& key : track)
-      if (key.time > time + instant) next = std::min(next, key.time);
-  };
-  look(handle.move);
-  look(handle.to);
-  look(handle.rotate);
-  look(handle.euler.keys);
-  look(handle.scale);
-  look(handle.curve);
-  if (handle.follow) look(handle.follow->shares);
-  for (const MotionTracks& layer : handle.layers) {
-    look(layer.move);
-    look(layer.rotate);
-    look(layer.scale);
-  }
-  return std::isfinite(next) ? next : time;
+  const std::vector<double> times = key_times(handle);
+  const auto next = std::upper_bound(times.begin(), times.end(), time + instant);
+  return next == times.end() ? time : *next;
 }
 
 /// Whether each vertex of a set has a neighbour outside it.
@@ -84,6 +68,17 @@ Positions HandleMarks::targets_ahead(std::size_t handle, double time, const Posi
       apart.push_back(static_cast<int>(k));
   }
   return targets(apart, Eigen::all);
+}
+
+Marks HandleMarks::of_all() const {
+  Marks marks;
+  marks.targets.resize(0, 3);
+  for (std::size_t h = 0; h < marked_.size(); ++h) {
+    const std::vector<int>& vertices = marked_[h].file_vertices;
+    std::vector<int>& of_kind = scene_.handles[h].handle.is_anchor() ? marks.anchors : marks.handles;
+    of_kind.insert(of_kind.end(), vertices.begin(), vertices.end());
+  }
+  return marks;
 }
 
 Marks HandleMarks::at(double time, const Positions& posed) const {

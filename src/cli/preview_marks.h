@@ -17,6 +17,8 @@ class HandleMarks {
   /// At a time (seconds): the handles and anchors that hold then, and, where a handle is still under way, the
   /// places that it reaches at its next key. posed: #V x 3, the frame.
   Marks at(double time, const Positions& posed) const;
+  /// All handles and anchors, whether they hold or not, without their targets.
+  Marks of_all() const;
 
  private:
   /// The vertices of a handle that are marked.

@@ -62,6 +62,7 @@ struct Renderer::Impl {
   Impl(const Mesh& rest_mesh, const Bounds& bounds, RenderOptions chosen);
   Points refined(const Positions& positions) const;
   Eigen::VectorXf refined_lambda(const Eigen::VectorXf& lambda) const;
+  std::vector<Rgb> refined_colours(const std::vector<Rgb>& colours) const;
   void check(const FrameState& frame) const;
   std::vector<Dot> dots(const Marks& marks, const Points& points) const;
   DrawnFrame draw(const FrameState& frame) const;
@@ -97,6 +98,17 @@ Eigen::VectorXf Renderer::Impl::refined_lambda(const Eigen::VectorXf& lambda) co
   return subdivision.points(control).col(0);
 }
 
+std::vector<Rgb> Renderer::Impl::refined_colours(const std::vector<Rgb>& colours) const {
+  const std::vector<int>& vertices = subdivision.control_vertices();
+  Points control(static_cast<Eigen::Index>(vertices.size()), 3);
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    control.row(static_cast<Eigen::Index>(k)) = colours[static_cast<std::size_t>(vertices[k])].transpose();
+  const Points refined = subdivision.points(control);
+  std::vector<Rgb> result;
+  for (const auto& colour : refined.rowwise()) result.emplace_back(colour.transpose());
+  return result;
+}
+
 void Renderer::Impl::check(const FrameState& frame) const {
   if (frame.positions.rows() != mesh.vertex_count())
     throw InputError(fmt::format("a frame of {} vertices does not fit a mesh of {}", frame.positions.rows(),
@@ -104,6 +116,9 @@ void Renderer::Impl::check(const FrameState& frame) const {
   if (frame.lambda.size() != 0 && frame.lambda.size() != mesh.vertex_count())
     throw InputError(
         fmt::format("λ of {} vertices does not fit a mesh of {}", frame.lambda.size(), mesh.vertex_count()));
+  if (!frame.colours.empty() && frame.colours.size() != static_cast<std::size_t>(mesh.vertex_count()))
+    throw InputError(fmt::format("{} colours do not fit a mesh of {} vertices", frame.colours.size(),
+                                 mesh.vertex_count()));
   for (Eigen::Index v = 0; v < frame.positions.rows(); ++v)
     if (!frame.positions.row(v).allFinite())
       throw InputError(fmt::format("vertex {} of the frame is not at a finite place", v));
@@ -139,6 +154,7 @@ DrawnFrame Renderer::Impl::draw(const FrameState& frame) const {
     const double top = options.displacement_top * rest_diagonal;
     paint.of_vertex = displacement_colours(points - rest, static_cast<float>(top));
   }
+  if (!frame.colours.empty()) paint.of_vertex = refined_colours(frame.colours);
   std::vector<Dot> marked = dots(frame.marks, points);
   return {subdivision.surface(), std::move(points), std::move(directions), std::move(paint),
           std::move(marked)};

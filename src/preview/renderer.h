@@ -23,6 +23,7 @@ struct FrameState {
   Eigen::VectorXf lambda = {};  // #V, for Style::lambda; empty: 0.5 everywhere
   bool converged = true;
   Marks marks = {};
+  std::vector<Rgb> colours = {};  // #V, of the surface, instead of the style's; empty: as the style has them
 };
 
 /// Draws the frames of a clip. Stencils, normals' neighbours and buffers are made once; a frame costs one

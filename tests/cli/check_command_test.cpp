@@ -29,6 +29,24 @@ TEST_F(Check, PrintsTheVertexCountOfEveryHandle) {
   EXPECT_EQ(report["outputs"], json::array({"bar.glb"}));
 }
 
+TEST_F(Check, SaysOfEachHandleHowFarItGoesAndWhen) {
+  write("shot.yaml",
+        "mesh: bar.obj\nrigid: {middle: {box: {min: [0, 0, 5], max: [3, 3, 6]}}}\nhandles:\n"
+        "  base: {select: {axis: z, below: 1%}}\n"
+        "  tip: {select: {axis: z, above: 99%}, weight: 0.5, active: [0s, 0.5s],"
+        " move: {keys: {0s: [0, 0, 0], 0.5s: [0, 3, 4], 1s: [0, 0, 0]}}}\n");
+  const json report = json::parse(run({"check", "shot.yaml", "--json"}).output);
+  EXPECT_EQ(report["handles"][0]["reach"], 0);
+  EXPECT_NEAR(report["handles"][1]["reach"].get<double>(), 5, 1e-9);
+  EXPECT_EQ(report["handles"][1]["weight"], 0.5);
+  EXPECT_EQ(report["handles"][1]["active"], json::parse("[[0, 0.5]]"));
+  EXPECT_EQ(report["rigid"], json::parse(R"([{"name": "middle", "vertices": 24}])"));
+  const std::string table = run({"check", "shot.yaml"}).output;
+  EXPECT_THAT(table, HasSubstr("5 (39.3 %)"));
+  EXPECT_THAT(table, HasSubstr("move; soft 0.5, from 0 s to 0.5 s"));
+  EXPECT_THAT(table, HasSubstr("rigid    middle: 24 vertices"));
+}
+
 TEST_F(Check, ReadsATimelineFromStandardInputAndWritesNothing) {
   const ProgramResult result = run({"check", "-"}, test::minimal_shot);
   EXPECT_EQ(result.exit_code, 0) << result.errors;
