@@ -6,88 +6,25 @@
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
-#include "cli/previews.h"
 #include "cli/run_outputs.h"
 #include "cli/run_states.h"
 #include "cli/session.h"
-#include "cli/solve_runs.h"
+#include "cli/write_outputs.h"
 
 namespace flexkey::cli {
 namespace {
 
-std::vector<RunOutputs> open_outputs(const Session& session, const Batch& batch) {
-  std::vector<RunOutputs> outputs;
-  for (std::size_t k = 0; k < batch.count; ++k) outputs.emplace_back(session, batch.first + k);
-  return outputs;
-}
-
-/// The paths of what was written.
-std::vector<std::string> results_of(const std::vector<RunReport>& reports) {
-  std::vector<std::string> results;
-  for (const RunReport& report : reports) {
-    for (const WrittenFile& file : report.written) results.push_back(file.path.string());
-    for (const WrittenCache& cache : report.caches) results.push_back(cache.path.string());
-    for (const WrittenPage& page : report.pages) results.push_back(page.path.string());
-    for (const WrittenPreview& preview : report.previews) {
-      results.push_back(preview.path.string());
-      for (const std::filesystem::path& file : preview.files) results.push_back(file.string());
-    }
-  }
-  return results;
-}
-
-/// What the runs have written, and what becomes of the rest where a signal stopped them.
-struct Outcome {
-  std::vector<RunReport> reports;
-  std::vector<std::string> fates;
-};
-
-/// Solves runs that are not solved yet, and writes what they name but for pictures that still wait.
-void write_batch(const Session& session, const Batch& batch, RunStates& states, Previews& previews,
-                 Progress& progress, Outcome& outcome) {
-  std::vector<RunOutputs> outputs = open_outputs(session, batch);
-  FrameWish wish;
-  wish.keep = needs_clip(session.loaded.shot) ? Keep::frames : Keep::nothing;
-  wish.on_frame = [&](std::size_t run, const SolvedFrame& frame) {
-    previews.add(run, frame);
-    if (is_picked(session, frame.report.frame)) outputs[run - batch.first].add(frame);
-  };
-  std::vector<RunFrames> frames = frames_of(session, states, batch, wish, progress);
-  if (noted_signal() != 0) outcome.fates = outputs.front().fates();
-  double seconds = 0;
-  for (const RunOutputs& output : outputs) seconds += output.seconds();
-  for (std::size_t k = 0; k < batch.count; ++k) {
-    frames[k].report.solve_seconds -= seconds / static_cast<double>(batch.count);
-    if (noted_signal() == 0) outputs[k].finish(frames[k]);
-    outcome.reports.push_back(std::move(frames[k].report));
-  }
-}
-
-/// Draws the pictures that have waited, and adds them to the reports.
-void finish_previews(const Session& session, Previews& previews, std::vector<RunReport>& reports) {
-  const std::vector<WrittenPreview> written = previews.finish();
-  for (std::size_t k = 0; k < written.size(); ++k) reports[k].previews.push_back(written[k]);
-  if (session.options.quiet) return;
-  for (const std::string& warning : previews.warnings()) say(fmt::format("{}\n", warning));
-}
-
-/// Solves what is not solved yet, and writes what the session's shot names.
-int write_outputs(const Session& session, StateUse use) {
+/// Solves what is not solved yet, writes what the session's shot names, and reports.
+int write_and_report(const Session& session, StateUse use) {
   require_outputs(session);
   RunStates states(session, use);
   note_signals();
-  Previews previews(session, states);
-  Outcome outcome;
-  {
-    Progress progress(session.frame_count() * static_cast<int>(session.runs.size()),
-                      verbosity_of(session.options));
-    for (const Batch& batch : batches_of(session))
-      if (noted_signal() == 0) write_batch(session, batch, states, previews, progress, outcome);
-  }
-  if (noted_signal() == 0) finish_previews(session, previews, outcome.reports);
-  if (noted_signal() == 0) return conclude(session, outcome.reports, results_of(outcome.reports));
-  for (std::string& fate : previews.fates()) outcome.fates.push_back(std::move(fate));
-  return conclude_stopped(session, states, outcome.reports.back().frames.size(), std::move(outcome.fates));
+  Outcome outcome = write_outputs(session, states);
+  const std::size_t frames = outcome.reports.empty() ? 0 : outcome.reports.back().frames.size();
+  if (noted_signal() != 0) return conclude_stopped(session, states, frames, std::move(outcome.fates));
+  if (!session.options.quiet)
+    for (const std::string& warning : outcome.warnings) say(fmt::format("{}\n", warning));
+  return conclude(session, outcome.reports, results_of(outcome.reports));
 }
 
 StateUse use_of(const ShotOptions& options) {
@@ -97,15 +34,15 @@ StateUse use_of(const ShotOptions& options) {
 }  // namespace
 
 int run_animate(const ShotOptions& options) {
-  return write_outputs(open_session(options, Purpose::all), StateUse::helps);
+  return write_and_report(open_session(options, Purpose::all), StateUse::helps);
 }
 
 int run_export(const ShotOptions& options) {
-  return write_outputs(open_session(options, Purpose::files), use_of(options));
+  return write_and_report(open_session(options, Purpose::files), use_of(options));
 }
 
 int run_render(const ShotOptions& options) {
-  return write_outputs(open_session(options, Purpose::pictures), use_of(options));
+  return write_and_report(open_session(options, Purpose::pictures), use_of(options));
 }
 
 }  // namespace flexkey::cli

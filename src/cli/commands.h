@@ -19,6 +19,10 @@ int run_render(const ShotOptions& options);
 /// `flexkey check`: parses, loads, resolves every selection, prints a summary. Returns an ExitCode.
 int run_check(const ShotOptions& options);
 
+/// `flexkey watch`: makes what the shot names, drafts of its pictures first, and again whenever the timeline
+/// or a file that it names changes, until a signal ends it. Returns 128 plus the signal.
+int run_watch(const ShotOptions& options);
+
 struct InspectOptions {
   std::string mesh;  // a path
   bool json = false;

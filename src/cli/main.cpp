@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -11,10 +10,9 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/guarded.h"
 #include "cli/interrupt.h"
-#include "flexkey/mesh/error.h"
 #include "flexkey/mesh/spelling.h"
-#include "flexkey/timeline/diagnostic.h"
 
 namespace {
 
@@ -52,37 +50,11 @@ void add_run_options(CLI::App& command, ShotOptions& options) {
   command.add_flag("--strict", options.strict, "Exit 4 if a frame did not converge");
 }
 
-/// Runs a command and turns what it throws into a message and an exit code: the one place that does.
-template <class Command>
-int guarded(Command command) {
-  try {
-    return command();
-  } catch (const TimelineError& error) {
-    for (const Diagnostic& diagnostic : error.diagnostics())
-      say(fmt::format("{}\n", format_diagnostic(error.file(), diagnostic)));
-    return bad_timeline;
-  } catch (const UsageError& error) {
-    say(fmt::format("flexkey: error: {}\n", error.what()));
-    return bad_timeline;
-  } catch (const InputError& error) {
-    say(fmt::format("flexkey: error: {}\n", error.what()));
-    return bad_input;
-  } catch (const OutputError& error) {
-    say(fmt::format("flexkey: error: {}\n", error.what()));
-    return unwritten;
-  } catch (const std::bad_alloc&) {
-    say("flexkey: error: out of memory\n");
-    return internal_fault;
-  } catch (const std::exception& error) {
-    say(fmt::format("flexkey: internal fault: {}\n", error.what()));
-    return internal_fault;
-  }
-}
-
 /// What is wrong with the command's name, or nothing; flags and no name at all are left to CLI11.
 std::string unknown_command(int argc, char** argv) {
-  const std::vector<std::string> built{"animate", "solve", "export", "render", "check", "inspect", "init"};
-  const std::vector<std::string> planned{"pick", "watch", "schema"};
+  const std::vector<std::string> built{"animate", "solve", "export",  "render",
+                                       "check",   "watch", "inspect", "init"};
+  const std::vector<std::string> planned{"pick", "schema"};
   if (argc < 2 || argv[1][0] == '-') return {};
   const std::string name = argv[1];
   if (std::find(built.begin(), built.end(), name) != built.end()) return {};
@@ -134,6 +106,12 @@ int main(int argc, char** argv) {
       ->type_name("FILE");
   check->footer("Example:\n  flexkey check timelines/jaw.yaml --picture out/jaw.png\n");
 
+  CLI::App* watch = app.add_subcommand(
+      "watch", "Check, solve, draw and write a shot whenever one of its files is saved; Ctrl-C ends it");
+  add_shot_options(*watch, options);
+  add_run_options(*watch, options);
+  watch->footer("Example:\n  flexkey watch timelines/nose.yaml -d out\n");
+
   InspectOptions inspect_options;
   CLI::App* inspect =
       app.add_subcommand("inspect", "Print a mesh's counts, bounds, groups, components, borders and defects");
@@ -172,6 +150,7 @@ int main(int argc, char** argv) {
   if (write->parsed()) return guarded([&] { return run_export(options); });
   if (render->parsed()) return guarded([&] { return run_render(options); });
   if (init->parsed()) return guarded([&] { return run_init(init_options); });
+  if (watch->parsed()) return guarded([&] { return run_watch(options); });
   if (inspect->parsed()) return guarded([&] { return run_inspect(inspect_options); });
   return guarded([&] { return run_check(options); });
 }

@@ -15,6 +15,12 @@ constexpr const char* fault =
 
 }  // namespace
 
+bool draws_previews() {
+  return false;
+}
+
+void preload_previews() {}
+
 void check_previews(const LoadedShot& loaded, const ShotOptions& options, const std::vector<Shot>&) {
   if (loaded.shot.preview.dir.empty()) return;
   throw TimelineError(loaded.shot.file, {error_at(loaded.shot.preview.where, fault, options.overrides())});

@@ -16,6 +16,7 @@
 #include "cli/stopwatch.h"
 #include "flexkey/preview/clip_extent.h"
 #include "flexkey/preview/images/image_file.h"
+#include "flexkey/preview/images/module.h"
 
 namespace flexkey::cli {
 namespace {
@@ -134,6 +135,14 @@ void Previews::Impl::make_files() {
     write_sheet_of(sharing, session.options);
     runs.back().report.files.push_back(session.options.out_dir / path);
   }
+}
+
+bool draws_previews() {
+  return true;
+}
+
+void preload_previews() {
+  image_module();
 }
 
 Previews::Previews(const Session& session, const RunStates& states)

@@ -10,6 +10,12 @@
 
 namespace flexkey::cli {
 
+/// Whether this build can make pictures.
+bool draws_previews();
+
+/// Loads now what the first picture would load: 0.2 s. Throws OutputError where it cannot be loaded.
+void preload_previews();
+
 /// Throws TimelineError for pictures that this build cannot make, or that would replace an input or another
 /// output.
 void check_previews(const LoadedShot& loaded, const ShotOptions& options, const std::vector<Shot>& runs);
