@@ -31,6 +31,15 @@ struct InspectOptions {
 /// `flexkey inspect`: counts, bounds, parts and defects of a mesh. Returns an ExitCode.
 int run_inspect(const InspectOptions& options);
 
+struct PickOptions {
+  std::string mesh;    // a path
+  std::string output;  // the page; empty: by the mesh's name
+  bool quiet = false;
+};
+
+/// `flexkey pick`: writes a page on which selections are picked. Returns an ExitCode.
+int run_pick(const PickOptions& options);
+
 struct InitOptions {
   std::string mesh;    // a path
   std::string shot;    // where the timeline goes, "-" for standard output; empty: by the mesh's name

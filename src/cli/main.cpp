@@ -52,9 +52,9 @@ void add_run_options(CLI::App& command, ShotOptions& options) {
 
 /// What is wrong with the command's name, or nothing; flags and no name at all are left to CLI11.
 std::string unknown_command(int argc, char** argv) {
-  const std::vector<std::string> built{"animate", "solve", "export",  "render",
-                                       "check",   "watch", "inspect", "init"};
-  const std::vector<std::string> planned{"pick", "schema"};
+  const std::vector<std::string> built{"animate", "solve",   "export", "render", "check",
+                                       "watch",   "inspect", "init",   "pick"};
+  const std::vector<std::string> planned{"schema"};
   if (argc < 2 || argv[1][0] == '-') return {};
   const std::string name = argv[1];
   if (std::find(built.begin(), built.end(), name) != built.end()) return {};
@@ -132,6 +132,14 @@ int main(int argc, char** argv) {
   init->add_flag("-q,--quiet", init_options.quiet, "Print errors only");
   init->footer("Example:\n  flexkey init cow.obj shot.yaml && flexkey animate shot.yaml -d out\n");
 
+  PickOptions pick_options;
+  CLI::App* pick =
+      app.add_subcommand("pick", "Write a page on which a click or a brush gives a selection to paste");
+  pick->add_option("mesh", pick_options.mesh, "Mesh file: OBJ, GLB or glTF")->required()->type_name("MESH");
+  pick->add_option("-o", pick_options.output, "Page to write (default: MESH's name)")->type_name("PAGE.html");
+  pick->add_flag("-q,--quiet", pick_options.quiet, "Print errors only");
+  pick->footer("Example:\n  flexkey pick cow.obj -o pick.html\n");
+
   report_failed_writes();
   if (const std::string unknown = unknown_command(argc, argv); !unknown.empty()) {
     say(fmt::format("flexkey: error: {}\n", unknown));
@@ -151,6 +159,7 @@ int main(int argc, char** argv) {
   if (render->parsed()) return guarded([&] { return run_render(options); });
   if (init->parsed()) return guarded([&] { return run_init(init_options); });
   if (watch->parsed()) return guarded([&] { return run_watch(options); });
+  if (pick->parsed()) return guarded([&] { return run_pick(pick_options); });
   if (inspect->parsed()) return guarded([&] { return run_inspect(inspect_options); });
   return guarded([&] { return run_check(options); });
 }

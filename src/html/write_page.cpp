@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "flexkey/html/base64.h"
+#include "flexkey/html/script_text.h"
 #include "flexkey/html/viewer.h"
 #include "flexkey/mesh/output_file.h"
 
@@ -55,19 +56,6 @@ Json shot_json(const Clip& clip, const PageContents& contents) {
           {"handles", std::move(handles)}};
 }
 
-/// JSON that an HTML parser finds no tag or comment in, whatever the names are.
-std::string script_text(const Json& json) {
-  std::string text;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 std::uintmax_t write_page(const Clip& clip, const PageContents& contents, const std::filesystem::path& path) {
@@ -77,7 +65,7 @@ std::uintmax_t write_page(const Clip& clip, const PageContents& contents, const 
   const std::size_t after_shot = shot + shot_place.size();
   OutputFile file(path);
   file.write(page.substr(0, shot));
-  file.write(script_text(shot_json(clip, contents)));
+  file.write(script_text(shot_json(clip, contents).dump(-1, ' ', false, Json::error_handler_t::replace)));
   file.write(page.substr(after_shot, glb - after_shot));
   file.write(base64(contents.glb));
   file.write(page.substr(glb + glb_place.size()));
