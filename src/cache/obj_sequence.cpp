@@ -57,7 +57,7 @@ std::string face_line(const Mesh& mesh, int f) {
   return line += '\n';
 }
 
-/// Texture coordinates and faces: what stands behind the vertices of every frame.
+/// Texture coordinates, faces and what is sharp: what stands behind the vertices of every frame.
 std::string connectivity_text(const Mesh& mesh) {
   std::string text;
   for (const auto& uv : mesh.texcoords.rowwise())
@@ -72,6 +72,11 @@ std::string connectivity_text(const Mesh& mesh) {
       text += material_line(mesh, material = mesh.face_material[k]);
     text += face_line(mesh, f);
   }
+  const auto out = std::back_inserter(text);
+  for (const Crease& crease : mesh.creases)
+    fmt::format_to(out, "t crease 2/1/0 {} {} {}\n", crease.from, crease.to, crease.sharpness);
+  for (const SharpVertex& sharp : mesh.sharp_vertices)
+    fmt::format_to(out, "t corner 1/1/0 {} {}\n", sharp.vertex, sharp.sharpness);
   return text;
 }
 

@@ -98,7 +98,9 @@ json describe_mesh(const std::filesystem::path& path, const MeshInput& input) {
               {"triangles", triangles},
               {"quads", quads},
               {"polygons", polygons},
-              {"texcoords", !mesh.corner_texcoord.empty()}};
+              {"texcoords", !mesh.corner_texcoord.empty()},
+              {"creases", mesh.creases.size()},
+              {"sharp_vertices", mesh.sharp_vertices.size()}};
   report["bounds"] = {
       {"min", vec_json(bounds.min)}, {"max", vec_json(bounds.max)}, {"diagonal", bounds.diagonal()}};
   report["groups"] = groups_json(mesh);
@@ -136,6 +138,9 @@ void print_text(const json& report) {
                            report["texcoords"].get<bool>() ? "with UVs" : "no UVs"));
   print_result(fmt::format("bounds      {} .. {}, diagonal {:g}\n", vector_text(bounds["min"]),
                            vector_text(bounds["max"]), bounds["diagonal"].get<double>()));
+  if (number("creases") + number("sharp_vertices") > 0)
+    print_result(
+        fmt::format("sharp       {} edges, {} vertices\n", number("creases"), number("sharp_vertices")));
   const auto faces = [](const json& one, std::size_t) {
     return fmt::format("{:<20} {:>8} faces", one["name"].get<std::string>(), one["faces"].get<long>());
   };

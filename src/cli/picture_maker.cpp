@@ -85,6 +85,10 @@ std::string hash_of_always(const LoadedShot& loaded, const RenderOptions& option
       bytes_of(mesh.texcoords),
       bytes_of(mesh.corner_texcoord),
       bytes_of(mesh.face_material)};
+  for (const Crease& crease : mesh.creases)
+    parts.push_back(fmt::format("crease {} {} {}", crease.from, crease.to, crease.sharpness));
+  for (const SharpVertex& sharp : mesh.sharp_vertices)
+    parts.push_back(fmt::format("sharp {} {}", sharp.vertex, sharp.sharpness));
   for (const Material& material : mesh.materials) {
     parts.push_back(bytes_of(material.base_color));
     parts.push_back(texture_bytes(material, loaded));

@@ -22,6 +22,21 @@ struct Material {
   std::string texture;             // path of the base colour image as the file gives it, or empty
 };
 
+/// The sharpness from which on a crease stays sharp at every level of subdivision.
+constexpr double infinitely_sharp = 10;
+
+/// An edge that subdivision keeps sharp for as many levels as its sharpness says.
+struct Crease {
+  int from = 0, to = 0;  // vertices
+  double sharpness = 0;  // 0 smooth .. 10 infinitely sharp
+};
+
+/// A vertex that does likewise.
+struct SharpVertex {
+  int vertex = 0;
+  double sharpness = 0;
+};
+
 /// A polygon mesh as its file has it: polygons stay polygons and vertices keep their order.
 struct Mesh {
   Positions positions;            // #V x 3, file units
@@ -34,6 +49,9 @@ struct Mesh {
   std::vector<Material> materials;
   std::vector<int> face_material;  // #F, index of materials or -1; empty where the file has none
   std::vector<Group> groups;
+
+  std::vector<Crease> creases;  // of the polygons' edges; of one that is there twice the last holds
+  std::vector<SharpVertex> sharp_vertices;
 
   int vertex_count() const { return static_cast<int>(positions.rows()); }
   int face_count() const { return face_offsets.empty() ? 0 : static_cast<int>(face_offsets.size()) - 1; }

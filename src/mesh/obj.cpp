@@ -11,12 +11,13 @@
 
 #include "flexkey/mesh/error.h"
 #include "flexkey/mesh/mtl.h"
+#include "flexkey/mesh/numbers.h"
+#include "flexkey/mesh/obj_tags.h"
 #include "flexkey/mesh/read_file.h"
 
 namespace flexkey {
 namespace {
 
-constexpr double largest_coordinate = 1e30;  // its square and a sum of many are still numbers
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_file(const std::filesystem::path& path) {
@@ -29,7 +30,7 @@ bool is_file(const std::filesystem::path& path) {
 class ObjParser {
  public:
   ObjParser(std::string name, std::filesystem::path folder)
-      : name_(std::move(name)), folder_(std::move(folder)) {}
+      : name_(std::move(name)), folder_(std::move(folder)), tags_(name_) {}
 
   void read(std::string_view text);
   MeshFile finish();
@@ -47,7 +48,6 @@ class ObjParser {
   std::string_view next_word();
   std::string_view rest_of_line();
   double next_number(std::string_view what);
-  std::optional<double> number_of(std::string_view word) const;
   int group_of(std::string_view group_name);
   int material_of(std::string_view material_name);
   [[noreturn]] void fail(const std::string& message) const;
@@ -63,6 +63,7 @@ class ObjParser {
   std::vector<int> object_groups_, open_groups_;  // of the last `o` and the last `g`
   int open_material_ = -1;
   std::vector<int> corners_, corner_texcoords_;  // of the face being read
+  ObjTags tags_;
   std::map<std::string, int, std::less<>> passed_over_;
 };
 
@@ -111,6 +112,7 @@ void ObjParser::read_line(std::string_view line) {
   }
   if (keyword == "usemtl") return choose_material();
   if (keyword == "mtllib") return load_libraries();
+  if (keyword == "t" && tags_.add(left_, line_)) return;
   ++passed_over_[std::string(keyword.substr(0, 32))];
 }
 
@@ -130,22 +132,12 @@ std::string_view ObjParser::rest_of_line() {
   return left_.substr(start, end - start + 1);
 }
 
-std::optional<double> ObjParser::number_of(std::string_view word) const {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
-
 double ObjParser::next_number(std::string_view what) {
   const std::string_view word = next_word();
   if (word.empty()) fail(fmt::format("{} has too few coordinates", what));
   const std::optional<double> value = number_of(word);
-  if (value && std::isfinite(*value) && std::abs(*value) > largest_coordinate)
-    fail(fmt::format("{} has the coordinate '{}', beyond ±1e30", what, word.substr(0, 32)));
-  if (!value || !std::isfinite(*value))
-    fail(fmt::format("{} has the coordinate '{}', which is not a finite number", what, word.substr(0, 32)));
+  if (const std::string_view fault = coordinate_fault(value); !fault.empty())
+    fail(fmt::format("{} has the coordinate '{}', {}", what, word.substr(0, 32), fault));
   return *value;
 }
 
@@ -266,6 +258,7 @@ MeshFile ObjParser::finish() {
   if (texcoords_.empty()) mesh.corner_texcoord.clear();
   if (mesh.materials.empty()) mesh.face_material.clear();
   std::erase_if(mesh.groups, [](const Group& group) { return group.faces.empty(); });
+  for (std::string& warning : tags_.put_on(mesh)) file_.warnings.push_back(std::move(warning));
   for (const auto& [keyword, count] : passed_over_)
     file_.warnings.push_back(fmt::format("{}: {} elements '{}' are passed over", name_, count, keyword));
   return std::move(file_);

@@ -8,7 +8,8 @@
 
 namespace flexkey {
 
-/// Reads an OBJ with its material libraries: polygons, all index forms, `g` and `o` as groups, `usemtl`.
+/// Reads an OBJ with its material libraries: polygons, all index forms, `g` and `o` as groups, `usemtl`, and
+/// OpenSubdiv's tags `t crease` and `t corner` (see obj_tags.h).
 /// Lines, points, free-form surfaces and the file's normals are passed over.
 /// Throws InputError with file and line for what is not a mesh (an index out of range, a coordinate that is
 /// not a finite number), and for a file that cannot be read.

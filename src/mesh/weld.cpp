@@ -90,6 +90,11 @@ Weld weld(const Mesh& mesh, double distance) {
   surface.materials = mesh.materials;
   surface.face_material = mesh.face_material;
   surface.groups = mesh.groups;
+  const auto to_surface = [&](int v) { return result.to_surface[static_cast<std::size_t>(v)]; };
+  for (const Crease& crease : mesh.creases)
+    surface.creases.push_back({to_surface(crease.from), to_surface(crease.to), crease.sharpness});
+  for (const SharpVertex& sharp : mesh.sharp_vertices)
+    surface.sharp_vertices.push_back({to_surface(sharp.vertex), sharp.sharpness});
   return result;
 }
 

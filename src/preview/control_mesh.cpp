@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "flexkey/mesh/connectivity.h"
 #include "flexkey/mesh/defects.h"
 #include "flexkey/mesh/weld.h"
 
@@ -37,6 +39,20 @@ void add_face(ControlMesh& control, const Mesh& welded, int f) {
   control.face_source.push_back(f);
 }
 
+/// Takes over what is sharp where it is still there. number: of each surface vertex, negative without one.
+void keep_sharpness(ControlMesh& control, const Mesh& surface, const std::vector<int>& number) {
+  std::set<Edge> edges;
+  if (!surface.creases.empty())
+    for (const MeshEdge& edge : mesh_edges(control.mesh)) edges.insert({edge.low, edge.high});
+  for (const Crease& crease : surface.creases) {
+    const Edge ends = std::minmax(number[index(crease.from)], number[index(crease.to)]);
+    if (edges.count(ends) > 0) control.mesh.creases.push_back({ends.first, ends.second, crease.sharpness});
+  }
+  for (const SharpVertex& sharp : surface.sharp_vertices)
+    if (const int v = number[index(sharp.vertex)]; v >= 0)
+      control.mesh.sharp_vertices.push_back({v, sharp.sharpness});
+}
+
 /// Numbers the vertices that faces use, in the order of the file, and drops the others.
 void drop_unused(ControlMesh& control, const Weld& welded) {
   constexpr int unused = -1, waiting = -2;
@@ -51,6 +67,7 @@ void drop_unused(ControlMesh& control, const Weld& welded) {
     control.of_vertex.push_back(on_control);
   }
   for (int& v : control.mesh.corners) v = number[index(v)];
+  keep_sharpness(control, welded.surface, number);
 }
 
 /// Vertices whose faces make more than one fan: two cones that touch in a point.

@@ -10,7 +10,7 @@ namespace flexkey {
 /// The welded surface of a mesh as a subdivision scheme takes it: no seams, no unused vertices, no corner
 /// that welding has put on its neighbour, no face that it has collapsed.
 struct ControlMesh {
-  Mesh mesh;                       // positions and faces alone
+  Mesh mesh;                       // positions, faces and what is sharp
   std::vector<int> vertex_source;  // vertex of the file that each vertex is taken from
   std::vector<int> face_source;    // face of the file
   std::vector<int> corner_source;  // corner of the file

@@ -40,6 +40,27 @@ std::vector<int> texcoord_of_corner(const ControlMesh& control, const Mesh& sour
   return rows;
 }
 
+/// What is sharp as OpenSubdiv takes it.
+struct Sharpness {
+  std::vector<int> edges;  // two vertices a crease
+  std::vector<float> of_edges;
+  std::vector<int> vertices;
+  std::vector<float> of_vertices;
+};
+
+Sharpness sharpness_of(const Mesh& mesh) {
+  Sharpness sharpness;
+  for (const Crease& crease : mesh.creases) {
+    sharpness.edges.insert(sharpness.edges.end(), {crease.from, crease.to});
+    sharpness.of_edges.push_back(static_cast<float>(crease.sharpness));
+  }
+  for (const SharpVertex& sharp : mesh.sharp_vertices) {
+    sharpness.vertices.push_back(sharp.vertex);
+    sharpness.of_vertices.push_back(static_cast<float>(sharp.sharpness));
+  }
+  return sharpness;
+}
+
 Refiner make_refiner(const ControlMesh& control, const Mesh& source, int level) {
   const Mesh& mesh = control.mesh;
   std::vector<int> sizes;
@@ -56,6 +77,13 @@ Refiner make_refiner(const ControlMesh& control, const Mesh& source, int level) 
   descriptor.vertIndicesPerFace = mesh.corners.data();
   descriptor.numFVarChannels = texcoords.empty() ? 0 : 1;
   descriptor.fvarChannels = &channel;
+  const Sharpness sharpness = sharpness_of(mesh);
+  descriptor.numCreases = static_cast<int>(sharpness.of_edges.size());
+  descriptor.creaseVertexIndexPairs = sharpness.edges.data();
+  descriptor.creaseWeights = sharpness.of_edges.data();
+  descriptor.numCorners = static_cast<int>(sharpness.vertices.size());
+  descriptor.cornerVertexIndices = sharpness.vertices.data();
+  descriptor.cornerWeights = sharpness.of_vertices.data();
 
   Sdc::Options rules;
   // Without this OpenSubdiv makes holes of the faces along borders.

@@ -20,8 +20,9 @@ struct Stencils {
 Points apply(const Stencils& stencils, const Points& control);
 
 /// A mesh's subdivision surface at a level: topology and stencils once, then one cheap apply a frame.
-/// Catmull-Clark for polygons, Loop where all faces are triangles. Borders and their corners stay, texture
-/// seams are closed in space, and texture coordinates are interpolated on each side of a seam.
+/// Catmull-Clark for polygons, Loop where all faces are triangles. Borders and their corners stay, creases
+/// and sharp vertices as far as the mesh says, texture seams are closed in space, and texture coordinates are
+/// interpolated on each side of a seam.
 class Subdivision {
  public:
   /// level: 0 (the polygons, triangulated) .. 4; vertices at most `weld` apart are one. A mesh that no scheme

@@ -45,6 +45,20 @@ TEST_F(ObjSequence, KeepsTheMeshAndTakesTheFramesPositions) {
   }
 }
 
+TEST_F(ObjSequence, KeepsWhatIsSharp) {
+  Mesh mesh = meshes::cube();
+  mesh.creases = {{mesh.face(0)[0], mesh.face(0)[1], 2.5}};
+  mesh.sharp_vertices = {{7, 10}};
+  const CacheShape shape{"shot", mesh, 24, {0}, {}};
+  write_all(obj_sequence_sink(numbered(), shape), shape);
+  const Mesh read = frame(0);
+  ASSERT_EQ(read.creases.size(), 1u);
+  EXPECT_EQ(read.creases[0].to, mesh.creases[0].to);
+  EXPECT_EQ(read.creases[0].sharpness, 2.5);
+  ASSERT_EQ(read.sharp_vertices.size(), 1u);
+  EXPECT_EQ(read.sharp_vertices[0].vertex, 7);
+}
+
 TEST_F(ObjSequence, FirstLineSaysFrameAndLambda) {
   const Mesh mesh = meshes::cube();
   const CacheShape shape{"shot", mesh, 24, {25}, {}};
