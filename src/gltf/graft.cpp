@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "flexkey/gltf/fill_gaps.h"
 #include "flexkey/gltf/float_rows.h"
 #include "flexkey/gltf/split_note.h"
 #include "flexkey/gltf/unique_name.h"
@@ -316,7 +317,9 @@ void Grafting::describe(json& thing) {
 }  // namespace
 
 Glb graft(const Glb& file, const Addition& addition) {
-  return Grafting(file, addition).graft();
+  Glb grafted = Grafting(file, addition).graft();
+  grafted.json = fill_gaps(file.json, grafted.json);
+  return grafted;
 }
 
 }  // namespace flexkey

@@ -72,7 +72,8 @@ struct Addition {
 /// The file with the addition in it, and everything else as it was. A mesh that other nodes show too is
 /// copied for the solved one. Names of new targets that the file has already get a number behind them. Where
 /// parts of a mesh move and others are still, these become a mesh and a node of their own below the solved
-/// one; of a skinned one beside it, since joints alone place a skin.
+/// one; of a skinned one beside it, since joints alone place a skin. Accessors that nothing uses any longer
+/// give their place to new ones.
 Glb graft(const Glb& file, const Addition& addition);
 
 }  // namespace flexkey

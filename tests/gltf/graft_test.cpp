@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <set>
+#include <utility>
 
 #include "flexkey/gltf/following_normals.h"
 #include "flexkey/gltf/gltf_scene.h"
@@ -414,6 +416,43 @@ TEST(Graft, ASharedSamplerIsChangedForTheSolvedNodeAlone) {
   EXPECT_EQ(talk["channels"][1]["sampler"], 0);
 }
 
+/// The accessors that the file's meshes and animations name, and how many it has.
+std::pair<std::set<json>, std::size_t> accessors_of(const json& root) {
+  std::set<json> named;
+  for (const json& mesh : root["meshes"])
+    for (const json& primitive : mesh["primitives"]) {
+      named.insert(primitive["indices"]);
+      for (const json& accessor : primitive["attributes"]) named.insert(accessor);
+      for (const json& target : primitive["targets"])
+        for (const json& accessor : target) named.insert(accessor);
+    }
+  for (const json& animation : root["animations"])
+    for (const json& sampler : animation["samplers"])
+      for (const char* key : {"input", "output"}) named.insert(sampler[key]);
+  return {named, root["accessors"].size()};
+}
+
+TEST(Graft, WeightsThatAreReplacedLeaveNoAccessorBehind) {
+  for (const char* merge_into : {"", "Talk"}) {
+    const auto [named, count] =
+        accessors_of(graft_into(tube_with_targets(), {.merge_into = merge_into}).root);
+    EXPECT_EQ(named.size(), count) << merge_into;
+  }
+  const auto [named, count] = accessors_of(graft_into(tube_with_targets(), {.normals = false}).root);
+  EXPECT_EQ(named.size(), count) << "without normals";
+}
+
+TEST(Graft, WhatAnExtensionMayNameStaysInItsPlace) {
+  GltfBuilder file = tube_with_targets();
+  const json output = file.root["animations"][0]["samplers"][0]["output"];
+  const json before = file.root["accessors"][output.get<std::size_t>()];
+  file.root["extensionsUsed"] = {"VENDOR_thing"};
+  file.root["extensions"]["VENDOR_thing"] = {{"weights", output}};
+  const Grafted grafted = graft_into(file);
+  EXPECT_EQ(grafted.root["accessors"][output.get<std::size_t>()], before);
+  EXPECT_EQ(weights_at(grafted.model, 0.25), (std::vector<float>{0.25, 0.75, 0, 0, 0, 0}));
+}
+
 TEST(Graft, SkinJointsAndClipsOfASkinnedMeshStay) {
   const GltfBuilder file = skinned_tube();
   const Grafted grafted = graft_into(file);
@@ -441,6 +480,8 @@ TEST(Graft, TheValidatorFindsNoError) {
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_THAT(outcome.output, HasSubstr("0.glb: 0 errors, 0 warnings, 1 infos"))
       << "the file's own texture coordinates, which no texture uses";
+  for (const char* name : {"2.glb", "3.glb"})  // own weights that changed
+    EXPECT_THAT(outcome.output, HasSubstr(std::string(name) + ": 0 errors, 0 warnings, 1 infos"));
   EXPECT_THAT(outcome.output, HasSubstr("5.glb: 0 errors"));
 }
 

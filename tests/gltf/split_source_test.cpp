@@ -96,9 +96,11 @@ TEST_F(SplitSource, TheSolvedNodeShowsTheFacesThatMove) {
   EXPECT_EQ(report.vertices, 63);
   EXPECT_EQ(report.gpu_bytes, 32u * 36u * static_cast<unsigned>(frames));
   EXPECT_LT(report.error, 1e-6);
+  const std::size_t triangles = file.root["meshes"][0]["primitives"][0]["indices"];
   for (const char* list : {"accessors", "bufferViews", "materials"})
     for (std::size_t i = 0; i < file.root[list].size(); ++i)
-      EXPECT_EQ(root_[list][i], file.root[list][i]) << list << i;
+      EXPECT_EQ(root_[list][i] == file.root[list][i], std::string(list) == "materials" || i != triangles)
+          << list << i << ": the file's triangles, which are none any longer, give their place away";
 }
 
 TEST_F(SplitSource, PlaysTheSameInEveryProfile) {
