@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
   InspectOptions inspect_options;
   CLI::App* inspect =
       app.add_subcommand("inspect", "Print a mesh's counts, bounds, groups, components, borders and defects");
-  inspect->add_option("mesh", inspect_options.mesh, "Mesh file: OBJ, GLB or glTF")
+  inspect->add_option("mesh", inspect_options.mesh, "Mesh file: OBJ, PLY, OFF, STL, GLB or glTF")
       ->required()
       ->type_name("MESH");
   inspect->add_flag("--json", inspect_options.json, "Print them as JSON");

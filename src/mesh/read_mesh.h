@@ -6,7 +6,8 @@
 
 namespace flexkey {
 
-/// Reads a mesh by its file name's extension: .obj here, and `read_gltf` reads scenes. Throws InputError.
+/// Reads a mesh by its file name's extension, .obj, .ply, .off or .stl; `read_gltf` reads scenes. Throws
+/// InputError.
 MeshFile read_mesh(const std::filesystem::path& path);
 
 }  // namespace flexkey

@@ -138,10 +138,12 @@ TEST(Obj, ReadsItsMaterialLibrary) {
 
 TEST(ReadMesh, AnotherFormatIsNamed) {
   try {
-    read_mesh("x.stl");
+    read_mesh("x.fbx");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("cannot read 'x.stl': meshes are read from .obj, .glb and .gltf files"));
+    EXPECT_THAT(
+        error.what(),
+        HasSubstr("cannot read 'x.fbx': meshes are read from .obj, .ply, .off, .stl, .glb and .gltf files"));
   }
 }
 
