@@ -13,6 +13,7 @@
 #include "cli/handle_paths.h"
 #include "cli/html_page.h"
 #include "cli/load.h"
+#include "cli/pose_outputs.h"
 #include "cli/previews.h"
 #include "cli/shot_picture.h"
 #include "flexkey/animate/scene.h"
@@ -195,9 +196,10 @@ void draw_picture(const LoadedShot& loaded, const Scene& scene, const ShotOption
 
 int run_check(const ShotOptions& options) {
   const LoadedShot loaded = load_shot(options);
-  const Scene scene = bind_loaded(loaded, options);
+  const Scene scene = bind_loaded(loaded.shot, loaded, options);
   const std::vector<Shot> runs = runs_of(loaded.shot);
   plan_outputs(loaded, options, runs);  // for its errors: what `animate` would refuse
+  check_pose_outputs(loaded, options);
   check_caches(loaded, options, runs);
   check_pages(loaded, options, runs);
   check_previews(loaded, options, runs);

@@ -43,9 +43,12 @@ int conclude(const Session& session, const std::vector<RunReport>& reports,
   print_report(session, reports, results);
   if (!session.options.strict) return done;
   for (const RunReport& report : reports) {
-    if (report.unconverged().empty()) continue;
-    say(fmt::format("flexkey: error: {} of {} frames did not converge (--strict)\n",
-                    report.unconverged().size(), report.frames.size()));
+    const std::vector<std::string> poses = report.unconverged_poses();
+    if (report.unconverged().empty() && poses.empty()) continue;
+    say(report.unconverged().empty()
+            ? fmt::format("flexkey: error: poses did not converge (--strict): {}\n", fmt::join(poses, ", "))
+            : fmt::format("flexkey: error: {} of {} frames did not converge (--strict)\n",
+                          report.unconverged().size(), report.frames.size()));
     return not_converged;
   }
   return done;

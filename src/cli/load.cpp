@@ -55,12 +55,14 @@ std::string fault_of_output(const LoadedShot& loaded, const fs::path& path, cons
     return fmt::format("the output '{}' is a binary glTF and must end in '.glb'", path.string());
   if (replaces_input(loaded, path))
     return fmt::format("the output '{}' would replace an input; give it another name", path.string());
-  if (output.basis == GltfOutput::Basis::frames && frames > output.max_targets)
+  const auto most_frames = output.max_targets - std::ssize(output.poses);
+  if (output.basis == GltfOutput::Basis::frames && frames > most_frames)
     return fmt::format(
-        "{} frames make as many morph targets, above max_targets, {}; write profile compat or web, lower "
+        "{} frames{} make as many morph targets, above max_targets, {}; write profile compat or web, lower "
         "fps, "
         "pick --frames, or set output.gltf.max_targets (many viewers stop at 256)",
-        frames, output.max_targets);
+        frames, output.poses.empty() ? "" : fmt::format(" and {} poses", output.poses.size()),
+        output.max_targets);
   return {};
 }
 
@@ -112,9 +114,9 @@ LoadedShot load_shot(const ShotOptions& options) {
   return loaded;
 }
 
-Scene bind_loaded(const LoadedShot& loaded, const ShotOptions& options) {
+Scene bind_loaded(const Shot& shot, const LoadedShot& loaded, const ShotOptions& options) {
   try {
-    return bind_shot(loaded.shot, loaded.mesh);
+    return bind_shot(shot, loaded.mesh);
   } catch (const TimelineError& error) {
     std::vector<Diagnostic> diagnostics;
     for (const Diagnostic& found : error.diagnostics())

@@ -27,8 +27,9 @@ struct LoadedShot {
 /// Reads timeline and mesh. Throws TimelineError, InputError, UsageError.
 LoadedShot load_shot(const ShotOptions& options);
 
-/// Resolves the shot on its mesh. Throws TimelineError, whose places may be in the file or in a `--set`.
-Scene bind_loaded(const LoadedShot& loaded, const ShotOptions& options);
+/// Resolves the shot, or another made of it, on its mesh. Throws TimelineError, whose places may be in the
+/// file or in a `--set`.
+Scene bind_loaded(const Shot& shot, const LoadedShot& loaded, const ShotOptions& options);
 
 /// The outputs' final paths, a run each; none where the shot names none. Throws TimelineError for what could
 /// not be written after the solve: over an input, another file's name, more morph targets than are allowed.

@@ -49,6 +49,13 @@ json frame_json(const FrameReport& frame) {
           {"slipped", frame.slipped}};
 }
 
+json pose_json(const PoseNote& pose) {
+  json solved = frame_json(pose.solved);
+  solved.erase("frame");
+  solved["name"] = pose.name;
+  return solved;
+}
+
 json split_json(const SplitNote& note) {
   return {{"mesh", note.mesh},         {"vertices", note.vertices},       {"moved", note.moved},
           {"targeted", note.targeted}, {"split", note.why_whole.empty()}, {"why_whole", note.why_whole}};
@@ -72,6 +79,7 @@ json gltf_json(const WrittenFile& file) {
           {"kg_error", gltf.kg_error},
           {"normal_error_mean", gltf.normal_error_mean},
           {"normal_error_largest", gltf.normal_error_largest},
+          {"pose_error", gltf.pose_error},
           {"gpu_bytes", gltf.gpu_bytes},
           {"gpu_bytes_whole", gltf.gpu_bytes_whole},
           {"splits", std::move(splits)},
@@ -160,23 +168,37 @@ std::string file_text(const WrittenFile& file, double seconds) {
       clients_text(gltf.clients), targets_text(gltf));
 }
 
+/// "poses    0.12 s   smile, frown; all converged"
+std::string poses_text(const RunReport& run) {
+  if (run.poses.empty()) return {};
+  std::vector<std::string> names;
+  for (const PoseNote& pose : run.poses) names.push_back(pose.name);
+  const std::vector<std::string> unconverged = run.unconverged_poses();
+  std::string fate = run.claims_convergence ? "all converged" : "no convergence claimed";
+  if (!unconverged.empty()) fate = fmt::format("not converged: {}", fmt::join(unconverged, ", "));
+  return fmt::format("  poses  {:6.2f} s   {}; {}\n", run.pose_seconds, fmt::join(names, ", "), fate);
+}
+
 json run_json(const RunReport& run) {
-  json frames = json::array(), written = json::array();
+  json frames = json::array(), written = json::array(), poses = json::array();
+  for (const PoseNote& pose : run.poses) poses.push_back(pose_json(pose));
   for (const FrameReport& frame : run.frames) frames.push_back(frame_json(frame));
   for (const WrittenFile& file : run.written) written.push_back(gltf_json(file));
   for (const WrittenCache& cache : run.caches) written.push_back(cache_json(cache));
   for (const WrittenPage& page : run.pages) written.push_back(page_json(page));
   for (const WrittenPreview& preview : run.previews) written.push_back(preview_json(preview));
-  return {{"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
-          {"frames", run.frames.size()},
-          {"solved_before", run.solved_before()},
-          {"solves", run.solves()},
-          {"claims_convergence", run.claims_convergence},
-          {"unconverged", run.unconverged()},
-          {"slipped", run.slipped()},
-          {"seconds", {{"solve", run.solve_seconds}, {"write", run.write_seconds}}},
-          {"outputs", std::move(written)},
-          {"frame_reports", std::move(frames)}};
+  return {
+      {"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
+      {"frames", run.frames.size()},
+      {"solved_before", run.solved_before()},
+      {"solves", run.solves()},
+      {"claims_convergence", run.claims_convergence},
+      {"unconverged", run.unconverged()},
+      {"slipped", run.slipped()},
+      {"poses", std::move(poses)},
+      {"seconds", {{"solve", run.solve_seconds}, {"poses", run.pose_seconds}, {"write", run.write_seconds}}},
+      {"outputs", std::move(written)},
+      {"frame_reports", std::move(frames)}};
 }
 
 }  // namespace
@@ -203,6 +225,14 @@ std::vector<int> RunReport::slipped() const {
   std::vector<int> result;
   for (const FrameReport& frame : frames)
     if (frame.slipped) result.push_back(frame.frame);
+  return result;
+}
+
+std::vector<std::string> RunReport::unconverged_poses() const {
+  std::vector<std::string> result;
+  if (!claims_convergence) return result;
+  for (const PoseNote& pose : poses)
+    if (!pose.solved.converged) result.push_back(pose.name);
   return result;
 }
 
@@ -235,6 +265,7 @@ std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& 
     if (const std::vector<int> slipped = run.slipped(); !slipped.empty())
       text += fmt::format("  slip   the surface lost a turn that its handles made: {}\n",
                           frames_text(slipped, run.frames.size(), "slipped"));
+    text += poses_text(run);
     for (const WrittenFile& file : run.written) text += file_text(file, run.write_seconds);
     for (const WrittenCache& cache : run.caches) text += cache_text(cache);
     for (const WrittenPage& page : run.pages) text += page_text(page);

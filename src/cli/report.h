@@ -45,13 +45,20 @@ struct WrittenPreview {
   std::vector<std::filesystem::path> files;  // GIF and sheet made of them
 };
 
+/// A pose that a run solved for its GLB.
+struct PoseNote {
+  std::string name;
+  FrameReport solved;
+};
+
 /// One solve of the shot, one of several in a sweep.
 struct RunReport {
   double lambda_first = 0, lambda_last = 0;
   std::vector<FrameReport> frames;  // every solved frame
   std::size_t solved_now = 0;       // of them; the others come from the shot's state
   bool claims_convergence = true;   // `preset: paper` does not
-  double solve_seconds = 0, write_seconds = 0;
+  std::vector<PoseNote> poses;
+  double solve_seconds = 0, pose_seconds = 0, write_seconds = 0;
   std::vector<WrittenFile> written;
   std::vector<WrittenCache> caches;
   std::vector<WrittenPage> pages;
@@ -61,6 +68,7 @@ struct RunReport {
   int solves() const;
   std::vector<int> unconverged() const;
   std::vector<int> slipped() const;
+  std::vector<std::string> unconverged_poses() const;
 };
 
 /// What `animate` did, for `--json` on stdout.

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "cli/gltf_options.h"
 #include "cli/html_page.h"
+#include "cli/interrupt.h"
+#include "cli/pose_outputs.h"
 #include "cli/previews.h"
 #include "cli/stopwatch.h"
 #include "flexkey/gltf/write_glb.h"
@@ -14,6 +18,7 @@ namespace flexkey::cli {
 void require_outputs(const Session& session) {
   const auto& [options, loaded, runs, picked, wanted, scene, seconds] = session;
   const std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs);
+  check_pose_outputs(loaded, options);
   check_caches(loaded, options, runs);
   check_pages(loaded, options, runs);
   check_previews(loaded, options, runs);
@@ -42,18 +47,22 @@ void RunOutputs::add(const SolvedFrame& frame) {
   for (std::size_t h = 0; h < handles_.size(); ++h) handles_[h].matrices.push_back(frame.handles[h]);
 }
 
-void RunOutputs::finish(RunFrames& frames) {
+bool RunOutputs::finish(RunFrames& frames) {
+  std::vector<PoseShape> poses = solve_pose_shapes(session_, run_, frames.report);
+  if (noted_signal() != 0) return false;
   frames.report.caches = caches_.finish();
-  if (needs_clip(run_)) write_clip(frames);
+  if (needs_clip(run_)) write_clip(frames, std::move(poses));
+  return true;
 }
 
-void RunOutputs::write_clip(RunFrames& frames) {
+void RunOutputs::write_clip(RunFrames& frames, std::vector<PoseShape> poses) {
   auto& [clip, report] = frames;
   const ShotOptions& options = session_.options;
   const int count = static_cast<int>(clip.frames.size());
   Progress progress(count, verbosity_of(options), "Writing");
   GltfOptions gltf = gltf_options(run_, session_.loaded);
   gltf.handles = std::move(handles_);
+  gltf.poses = std::move(poses);
   gltf.on_progress = [&](double share) { progress.reach(static_cast<int>(share * count)); };
   if (!run_.gltf.path.empty()) {
     const Stopwatch watch;

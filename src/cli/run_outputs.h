@@ -23,15 +23,16 @@ class RunOutputs {
   RunOutputs(const Session& session, std::size_t run);
 
   void add(const SolvedFrame& frame);
-  /// Writes the rest and adds it to the report. Throws OutputError.
-  void finish(RunFrames& frames);
+  /// Solves the poses, writes the rest and adds both to the report; false, and nothing is written, where a
+  /// signal came before. Throws OutputError.
+  bool finish(RunFrames& frames);
   /// Seconds spent in `add` so far.
   double seconds() const { return caches_.seconds(); }
   /// What becomes of the outputs of a run that was stopped; a sentence each.
   std::vector<std::string> fates() const;
 
  private:
-  void write_clip(RunFrames& frames);
+  void write_clip(RunFrames& frames, std::vector<PoseShape> poses);
 
   const Session& session_;
   const Shot& run_;

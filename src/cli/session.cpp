@@ -32,7 +32,7 @@ Session open_session(const ShotOptions& options, Purpose purpose) {
   session.runs = runs_of(session.loaded.shot);
   session.picked = parse_frames(options.frames, session.loaded.shot.frame_count());
   if (!needs_whole_clip(session.loaded.shot.preview)) session.wanted = session.picked;
-  session.scene = bind_loaded(session.loaded, options);
+  session.scene = bind_loaded(session.loaded.shot, session.loaded, options);
   session.load_seconds = watch.seconds();
   return session;
 }

@@ -25,12 +25,12 @@ void write_batch(const Session& session, const Batch& batch, RunStates& states, 
     if (is_picked(session, frame.report.frame)) outputs[run - batch.first].add(frame);
   };
   std::vector<RunFrames> frames = frames_of(session, states, batch, wish, progress);
-  if (noted_signal() != 0) outcome.fates = outputs.front().fates();
   double seconds = 0;
   for (const RunOutputs& output : outputs) seconds += output.seconds();
   for (std::size_t k = 0; k < batch.count; ++k) {
     frames[k].report.solve_seconds -= seconds / static_cast<double>(batch.count);
-    if (noted_signal() == 0) outputs[k].finish(frames[k]);
+    const bool is_finished = noted_signal() == 0 && outputs[k].finish(frames[k]);
+    if (!is_finished && outcome.fates.empty()) outcome.fates = outputs[k].fates();
     outcome.reports.push_back(std::move(frames[k].report));
   }
 }

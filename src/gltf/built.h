@@ -14,6 +14,7 @@ namespace flexkey {
 struct Built {
   Glb glb;
   PlaybackError error;
+  double pose_error = 0;                // of poses at a weight of 1, a share of the diagonal
   int targets = 0;                      // new ones
   int keys = 0;                         // times at which weights are given
   int vertices = 0;                     // of all primitives that they could move

@@ -84,4 +84,13 @@ void check_clip(const Clip& clip) {
   }
 }
 
+void check_poses(const Clip& clip, const std::vector<PoseShape>& poses) {
+  for (const PoseShape& pose : poses) {
+    require(pose.positions.rows() == clip.mesh.vertex_count(),
+            fmt::format("pose '{}' has {} vertices, the mesh has {}", pose.name, pose.positions.rows(),
+                        clip.mesh.vertex_count()));
+    check_positions(pose.positions, fmt::format("pose '{}'", pose.name));
+  }
+}
+
 }  // namespace flexkey

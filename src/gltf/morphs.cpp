@@ -97,7 +97,7 @@ void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const std::ve
   for (auto* list : {&model.extensionsUsed, &model.extensionsRequired})
     list->emplace_back("KHR_mesh_quantization");
   tinygltf::Mesh mesh = base_mesh(model, asset, moving);
-  mesh.weights.assign(targets.positions.size(), 0.0);
+  mesh.weights.assign(targets.positions.size() + targets.poses.positions.size(), 0.0);
   for (std::size_t i = 0; i < moving.size(); ++i) {
     const std::vector<int>& vertices = moving[i].vertices;
     Zeros zeros;
@@ -110,6 +110,13 @@ void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const std::ve
       } else if (!targets.float_normals.empty()) {
         target["NORMAL"] = append_attribute(model, gather(targets.float_normals[t], moving[i]));
       }
+      mesh.primitives[i].targets.push_back(std::move(target));
+    }
+    for (std::size_t p = 0; p < targets.poses.positions.size(); ++p) {
+      std::map<std::string, int> target;
+      target["POSITION"] = append_attribute(model, gather(targets.poses.positions[p], moving[i]));
+      if (!targets.poses.normals.empty())
+        target["NORMAL"] = append_attribute(model, gather(targets.poses.normals[p], moving[i]));
       mesh.primitives[i].targets.push_back(std::move(target));
     }
   }

@@ -28,7 +28,7 @@ std::vector<bool> moved_vertices(const Targets& targets) {
 
 std::vector<bool> moved_vertices(const QuantizedTargets& targets) {
   return rows_of_any(targets.positions.front().rows(), targets.positions, targets.normals,
-                     targets.float_normals);
+                     targets.float_normals, targets.poses.positions, targets.poses.normals);
 }
 
 }  // namespace flexkey

@@ -15,6 +15,7 @@ struct QuantizedTargets {
   std::vector<FloatRows> float_normals;  // where integers could not tell them: a delta is scale · float
   int normal_largest = 127;              // 127 or 32767: whether normals take one byte or two
   std::vector<float> scales;             // #targets, positive
+  Targets poses;                         // targets behind those, as they are
 };
 
 /// How coarse the integers may be.

@@ -14,9 +14,10 @@ namespace flexkey {
 
 /// A clip as few targets.
 struct Reduction {
-  Basis basis;          // its targets are taken out
-  Targets targets;      // at least one, since glTF animates no weights of a mesh without
-  double rounding = 0;  // what integers may add to a vertex's distance on average, file units
+  Basis basis;      // its targets are taken out
+  Targets targets;  // at least one, since glTF animates no weights of a mesh without; the poses come last
+  std::size_t poses = 0;  // how many of them are the options' poses
+  double rounding = 0;    // what integers may add to a vertex's distance on average, file units
 };
 
 /// How a clip is reduced.
@@ -28,8 +29,8 @@ struct ReductionPlan {
 /// Throws InputError for more targets than are allowed. Takes a step a frame with normals.
 Reduction reduce(const Clip& clip, const ReductionPlan& plan, const GltfOptions& options, Steps& steps);
 
-/// The targets in integers; their scales become part of the basis's weights. length: as Reduction::rounding,
-/// in the targets' units.
-QuantizedTargets quantize_into(Basis& basis, const Targets& targets, double length);
+/// The targets in integers; their scales become part of the basis's weights. Poses stay floats, since whoever
+/// poses by hand knows of no scale. length: as Reduction::rounding, in the targets' units.
+QuantizedTargets quantize_targets(Reduction& reduction, double length);
 
 }  // namespace flexkey

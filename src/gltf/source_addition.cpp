@@ -43,12 +43,16 @@ struct TargetAppender {
     return append_deltas(model, nonzero_rows(part(targets.positions[t])));
   }
   int positions(const QuantizedTargets& targets) const {
+    if (const std::size_t count = targets.positions.size(); t >= count)
+      return append_attribute(model, part(targets.poses.positions[t - count]));
     return append_normalized(model, part(targets.positions[t]), 32767);
   }
   int normals(const Targets& targets) const {
     return append_deltas(model, nonzero_rows(part(targets.normals[t])));
   }
   int normals(const QuantizedTargets& targets) const {
+    if (const std::size_t count = targets.positions.size(); t >= count)
+      return append_attribute(model, part(targets.poses.normals[t - count]));
     if (targets.normals.empty()) return append_attribute(model, part(targets.float_normals[t]));
     return append_normalized(model, part(targets.normals[t]), targets.normal_largest);
   }

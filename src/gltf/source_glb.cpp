@@ -14,6 +14,7 @@
 #include "flexkey/gltf/following_normals.h"
 #include "flexkey/gltf/graft.h"
 #include "flexkey/gltf/moved_vertices.h"
+#include "flexkey/gltf/pose_targets.h"
 #include "flexkey/gltf/reduction.h"
 #include "flexkey/gltf/source_addition.h"
 #include "flexkey/gltf/source_playback.h"
@@ -94,7 +95,7 @@ Built build_into_source(const Clip& clip, const GltfOptions& options, double str
   targets.normals = options.normals;
   targets.merge_into = options.merge_into;
   if (options.encoding == Encoding::meshopt) {
-    targets.targets = quantize_into(basis, reduction.targets, reduction.rounding / largest_stretch(source));
+    targets.targets = quantize_targets(reduction, reduction.rounding / largest_stretch(source));
   } else {
     targets.targets = std::move(reduction.targets);
   }
@@ -114,6 +115,7 @@ Built build_into_source(const Clip& clip, const GltfOptions& options, double str
   Played played{played_by(extended, "POSITION"), {}, normals_at};
   if (has_normals) played.normals = played_by(extended, "NORMAL");
   built.error = measure_playback(played, clip, basis, steps);
+  built.pose_error = measure_poses(played, clip, options.poses, basis);
 
   model.meshes.emplace_back();  // for what is said of the clip
   describe(model, clip, basis, options, built.error);

@@ -18,6 +18,7 @@
 #include "flexkey/gltf/meshopt.h"
 #include "flexkey/gltf/morphs.h"
 #include "flexkey/gltf/moved_vertices.h"
+#include "flexkey/gltf/pose_targets.h"
 #include "flexkey/gltf/reduction.h"
 #include "flexkey/gltf/size_estimate.h"
 #include "flexkey/gltf/source_glb.h"
@@ -66,7 +67,7 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness, S
   append_materials(model, clip.mesh, asset.primitives, asset.textures);
   const AssetSplit split =
       options.encoding == Encoding::meshopt
-          ? append_meshes(model, asset, options, quantize_into(basis, reduction.targets, reduction.rounding))
+          ? append_meshes(model, asset, options, quantize_targets(reduction, reduction.rounding))
           : append_meshes(model, asset, options, std::move(reduction.targets));
   append_scene(model);
   Built built;
@@ -78,7 +79,9 @@ Built build(const Asset& asset, const GltfOptions& options, double strictness, S
   built.keys = static_cast<int>(basis.keys.size());
   built.vertices = split.note.vertices;
   if (options.split) built.splits.push_back(split.note);
-  built.error = measure_playback(played_by(model, asset, split), clip, basis, steps);
+  const Played played = played_by(model, asset, split);
+  built.error = measure_playback(played, clip, basis, steps);
+  built.pose_error = measure_poses(played, clip, options.poses, basis);
   built.extensions = model.extensionsRequired;
   built.warnings = asset.textures.warnings;
   describe(model, clip, basis, options, built.error);
@@ -116,6 +119,7 @@ GltfReport report_on(const Built& built, const GltfOptions& options) {
   report.kg_error = built.error.kg;
   report.normal_error_mean = built.error.normal_mean;
   report.normal_error_largest = built.error.normal_largest;
+  report.pose_error = built.pose_error;
   report.splits = built.splits;
   report.target_vertices = report.splits.empty() ? report.vertices : 0;
   for (const SplitNote& note : report.splits) report.target_vertices += note.targeted;
@@ -150,6 +154,7 @@ struct Finished {
 
 Finished finish(const Clip& clip, const GltfOptions& options) {
   check_clip(clip);
+  check_poses(clip, options.poses);
   Built built = build_within_tolerance(clip, options);
   if (!options.handles.empty())
     built.glb = graft(built.glb, add_handles(built.glb, clip, options.handles, built.animations));

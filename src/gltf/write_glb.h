@@ -41,6 +41,12 @@ struct HandleTrack {
   std::vector<Eigen::Matrix4d> matrices;  // #frames, rest to frame
 };
 
+/// A shape of the clip's mesh that gets a morph target of its own.
+struct PoseShape {
+  std::string name;
+  Positions positions;  // #V x 3, vertices in the file's order, file units
+};
+
 struct GltfOptions {
   BasisKind basis = BasisKind::knots;
   Encoding encoding = Encoding::floats;
@@ -51,7 +57,8 @@ struct GltfOptions {
   std::vector<ClipRange> clips;        // one animation each; empty: one of the whole clip
   std::string animation;               // name of that one; empty: the clip's
   const GltfSource* source = nullptr;  // the file that the clip's mesh is of: the clip is written into it
-  std::string merge_into;  // with a source, an animation of it that gets the weights; empty: a new one
+  std::string merge_into;        // with a source, an animation of it that gets the weights; empty: a new one
+  std::vector<PoseShape> poses;  // behind the clip's targets, named so, of weight 0; 1 is the pose
   std::vector<HandleTrack> handles;  // to be written as animated nodes; empty: none
   std::string hash;                  // of timeline and mesh, for extras
   std::filesystem::path
@@ -74,6 +81,7 @@ struct GltfReport {
   double kg_error = 0;              // percent
   double normal_error_mean = 0;     // degrees, likewise
   double normal_error_largest = 0;  // degrees
+  double pose_error = 0;            // as `error`, of the poses at a weight of 1
   int target_vertices = 0;          // of those that carry targets: fewer where meshes are split
   std::uintmax_t gpu_bytes = 0;  // that the targets take in a client: 32 a vertex and target, sparse or not
   std::uintmax_t gpu_bytes_whole = 0;   // that they would take if no mesh were split

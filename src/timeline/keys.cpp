@@ -213,6 +213,7 @@ constexpr KeySpec gltf[] = {
     {"max_targets", "most morph targets, 1 to 65535; default 200"},
     {"animation", "name of the animation, or a mapping that says where it goes"},
     {"handles", "whether handles are written as animated nodes: true or false (default)"},
+    {"poses", "all, or a list of names under 'poses': a morph target each, of weight 0"},
     {"split", "auto: faces that never move become a mesh without targets; none (default): one mesh"},
 };
 

@@ -7,6 +7,7 @@
 
 #include "flexkey/timeline/fields.h"
 #include "flexkey/timeline/read_path.h"
+#include "flexkey/timeline/read_pose_outputs.h"
 #include "flexkey/timeline/scalar.h"
 #include "flexkey/timeline/words.h"
 
@@ -128,6 +129,7 @@ GltfOutput read_gltf_output(const Node& node, std::string_view place, Scope& sco
   if (const Node* split = fields->value("split")) {
     output.split = read_word<bool>(*split, "split", {{"none", false}, {"auto", true}}, scope).value_or(false);
   }
+  if (const Node* poses = fields->value("poses")) output.poses = read_pose_outputs(*poses, scope);
   if (const Node* animation = fields->value("animation")) read_animation(*animation, output, scope);
   return output;
 }

@@ -95,6 +95,7 @@ void read_poses(const Node& node, Scope& scope) {
     if (entry.key.text == rest)
       scope.findings.error(entry.key.where, "a pose cannot be named 'rest'; it stands for the rest pose");
     scope.poses[entry.key.text] = read_pose(entry, scope);
+    scope.pose_names.push_back(entry.key.text);
   }
 }
 

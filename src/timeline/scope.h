@@ -33,7 +33,8 @@ struct Scope {
   Names<Vec3> points;
   Names<Curve> paths;
   Names<NamedPose> poses;
-  double last_key = 0;  // seconds; of all tracks read so far
+  std::vector<std::string> pose_names;  // in the file's order
+  double last_key = 0;                  // seconds; of all tracks read so far
   Mark last_key_where;
 };
 

@@ -108,6 +108,13 @@ struct MeshSource {
   Length weld;                  // vertices at most this far apart are solved as one; share of the diagonal
 };
 
+/// A pose of the shot that becomes a morph target.
+struct PoseOutput {
+  std::string name;
+  NamedPose handles;  // those that it leads; all others are at rest
+  Mark where;
+};
+
 /// What output.gltf says; path is empty where no GLB is asked for.
 struct GltfOutput {
   std::string path;  // as the timeline gives it, placeholders and all
@@ -127,6 +134,7 @@ struct GltfOutput {
     Mark where;
   };
   Merge merge_into = {};
+  std::vector<PoseOutput> poses = {};  // a morph target each, of weight 0
 };
 
 /// The solved clip in another form: what output.cache, output.frames or output.usd names.

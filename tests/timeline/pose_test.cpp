@@ -54,6 +54,41 @@ TEST(Pose, CuesComeFromAFile) {
   EXPECT_EQ(sample_motion(shot.handles.at(0), Vec3::Zero(), 1.5).move, Vec3(0, -1, 0));
 }
 
+std::string with_output(const std::string& wanted) {
+  return poses + "handles: {left: {select: {group: a}}, right: {select: {group: b}}}\n" +
+         "output: {gltf: {path: a.glb, poses: " + wanted + "}}\n";
+}
+
+TEST(Pose, TheGlbGetsThoseThatItNames) {
+  const auto names_of = [](const Shot& shot) {
+    std::vector<std::string> names;
+    for (const PoseOutput& pose : shot.gltf.poses) names.push_back(pose.name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names_of(parse(with_output("all"))), (Names{"smile", "sad"})) << "in the file's order";
+  EXPECT_EQ(names_of(parse(with_output("[sad]"))), Names{"sad"});
+  EXPECT_EQ(names_of(parse(with_output("smile"))), Names{"smile"});
+  EXPECT_EQ(names_of(parse("mesh: a.obj\nhandles: {h: {select: {group: a}}}\noutput: a.glb\n")), Names{});
+  EXPECT_EQ(parse(with_output("[sad]")).gltf.poses[0].handles.at("left").move, Vec3(0, -1, 0));
+}
+
+TEST(Pose, AWrongNameForTheGlbIsSaidWithItsPlace) {
+  EXPECT_EQ(errors_of(with_output("[smile, sat]")),
+            "shot.yaml:6:45: error: unknown pose 'sat'; did you mean 'sad'?");
+  EXPECT_EQ(errors_of(with_output("[sad, sad]")), "shot.yaml:6:43: error: the pose 'sad' stands here twice");
+  EXPECT_EQ(errors_of(with_output("smil")),
+            "shot.yaml:6:37: error: unknown pose 'smil'; did you mean 'smile'?");
+  EXPECT_EQ(errors_of(with_output("[[sad]]")), "shot.yaml:6:38: error: a pose is a name, not a list");
+  EXPECT_EQ(errors_of(with_output("{a: b}")), "shot.yaml:6:37: error: a pose is a name, not a mapping");
+  EXPECT_EQ(errors_of(with_output("[]")),
+            "shot.yaml:6:37: error: 'poses' lists no pose; write all, or names such as [smile]");
+  EXPECT_EQ(
+      errors_of(
+          "mesh: a.obj\nhandles: {h: {select: {group: a}}}\noutput: {gltf: {path: a.glb, poses: all}}\n"),
+      "shot.yaml:3:37: error: there are no poses; they are defined under 'poses'");
+}
+
 TEST(Pose, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_EQ(errors_of(with_pose("{keys: {0s: smil}}")),
             "shot.yaml:6:48: error: unknown pose 'smil'; did you mean 'smile'?\n"
