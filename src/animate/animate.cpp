@@ -4,23 +4,16 @@
 
 #include "flexkey/animate/deform_options.h"
 #include "flexkey/animate/file_positions.h"
-#include "flexkey/animate/handle_matrices.h"
 #include "flexkey/animate/handle_states.h"
+#include "flexkey/animate/laps.h"
 #include "flexkey/animate/legs.h"
+#include "flexkey/animate/playing.h"
 #include "flexkey/animate/waypoint.h"
 #include "flexkey/timeline/sampling.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey {
 namespace {
-
-/// A take on its way.
-struct Running {
-  const Take& take;
-  int count = 0;               // of the frames to go through
-  int taken = 0;               // of them, those that were solved before
-  std::optional<Waypoint> at;  // none: no more are left to solve
-  Clip clip;
-};
 
 /// The states with the targets of what fades drawn to where its vertices are without it.
 HandleStates faded(const Scene& scene, HandleStates states, const Pose& without_fading, double time) {
@@ -36,14 +29,14 @@ HandleStates faded(const Scene& scene, HandleStates states, const Pose& without_
 
 /// While some handles fade, a second passage runs without them, and they go to x + a (target − x), x where
 /// their vertices are on it and a of sample_grip.
-std::vector<SolveReport> advance_without_fading(const std::vector<Running*>& runs, int frame,
+std::vector<SolveReport> advance_without_fading(const std::vector<Running*>& runs, int step,
                                                 DeformerCache& cache) {
   std::vector<Passage*> passages;
   std::vector<Leg> legs;
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     Running& run = *runs[k];
-    const double time = frame / run.take.shot.fps;
+    const double time = time_of_step(run.take.shot, step);
     const ActiveSet firm = firm_at(run.take.scene, time);
     std::optional<Passage>& without_fading = run.at->without_fading;
     if (firm == active_at(run.take.scene, time)) {
@@ -52,7 +45,7 @@ std::vector<SolveReport> advance_without_fading(const std::vector<Running*>& run
     }
     if (!without_fading) without_fading = run.at->passage;
     passages.push_back(&*without_fading);
-    legs.push_back(leg_of(run.take, firm, frame));
+    legs.push_back(leg_of(run.take, firm, step));
     places.push_back(k);
   }
   const std::vector<SolveReport> solved = advance(passages, legs, cache);
@@ -61,15 +54,24 @@ std::vector<SolveReport> advance_without_fading(const std::vector<Running*>& run
   return reports;
 }
 
-/// Solves one frame of every take. A report counts the solves of both passages.
-std::vector<SolveReport> solve_frame(const std::vector<Running*>& runs, int frame, DeformerCache& cache) {
-  const std::vector<SolveReport> aside = advance_without_fading(runs, frame, cache);
+/// Where another lap of a cycle begins.
+void begin_lap(Running& run, int step) {
+  const std::vector<std::vector<double>> turns = turns_to_unwind(run.take, step);
+  run.at->passage.before = unwound(std::move(run.at->passage.before), turns);
+  if (std::optional<Passage>& without_fading = run.at->without_fading)
+    without_fading->before = unwound(std::move(without_fading->before), turns);
+}
+
+/// Solves one step of every take. A report counts the solves of both passages.
+std::vector<SolveReport> solve_step(const std::vector<Running*>& runs, int step, DeformerCache& cache) {
+  for (Running* run : runs) begin_lap(*run, step);
+  const std::vector<SolveReport> aside = advance_without_fading(runs, step, cache);
   std::vector<Passage*> passages;
   std::vector<Leg> legs;
   for (Running* run : runs) {
-    const double time = frame / run->take.shot.fps;
+    const double time = time_of_step(run->take.shot, step);
     passages.push_back(&run->at->passage);
-    legs.push_back(leg_of(run->take, active_at(run->take.scene, time), frame));
+    legs.push_back(leg_of(run->take, active_at(run->take.scene, time), step));
     if (const std::optional<Passage>& without_fading = run->at->without_fading)
       legs.back().now = faded(run->take.scene, std::move(legs.back().now), without_fading->pose, time);
   }
@@ -77,7 +79,7 @@ std::vector<SolveReport> solve_frame(const std::vector<Running*>& runs, int fram
   for (std::size_t k = 0; k < runs.size(); ++k) {
     reports[k].solves += aside[k].solves;
     reports[k].converged = reports[k].converged && aside[k].converged;
-    runs[k]->at->next = frame + 1;
+    runs[k]->at->next = step + 1;
   }
   return reports;
 }
@@ -92,7 +94,7 @@ void require_one_batch(std::span<const Take> takes) {
   }
 }
 
-/// Where a take starts: at rest, or behind the frames that were solved before.
+/// Where a take starts: at rest, or behind the steps that were solved before.
 Running start_of(const Take& take, int count, DeformerCache& cache) {
   Running run{take, count, 0, std::nullopt, {}};
   if (take.before != nullptr && take.before->frames() >= count) {
@@ -109,65 +111,42 @@ std::vector<Running> start_all(std::span<const Take> takes, const Mesh& mesh, co
                                DeformerCache& cache) {
   std::vector<Running> runs;
   for (const Take& take : takes) {
-    const int count = take.shot.frame_count();
-    runs.push_back(start_of(take, wanted.empty() ? count : std::min(count, wanted.back() + 1), cache));
+    runs.push_back(start_of(take, steps_until(take.shot, wanted), cache));
     runs.back().clip.name = take.shot.name;
     runs.back().clip.mesh = mesh;
     runs.back().clip.fps = take.shot.fps;
+    if (take.shot.loop == Loop::cycle) runs.back().clip.period = take.shot.frame_count();
   }
   return runs;
 }
 
-/// Who hears of the frames.
-struct Audience {
-  const AnimateHooks& hooks;
-  const std::vector<int>& wanted;  // empty: all
-
-  bool wants(int frame) const {
-    return wanted.empty() || std::binary_search(wanted.begin(), wanted.end(), frame);
-  }
-};
-
-/// Passes a wanted frame on and keeps what is to be kept of it.
-void deliver(Running& run, std::size_t take, const FrameReport& report, Positions positions,
-             const AnimateHooks& hooks) {
-  if (hooks.on_wanted) {
-    const std::vector<Eigen::Matrix4d> handles =
-        handle_matrices(run.take.scene, report.frame / run.take.shot.fps);
-    hooks.on_wanted(take, {report, positions, handles});
-  }
-  if (hooks.keep == Keep::frames) run.clip.frames.push_back(std::move(positions));
-  run.clip.reports.push_back(report);
-}
-
-/// The frames that were solved before.
+/// The steps that were solved before.
 void deliver_taken(Running& run, std::size_t take, const Audience& audience) {
-  for (int frame = 0; frame < run.taken; ++frame) {
+  for (int step = 0; step < run.taken; ++step) {
     if (audience.hooks.stop && audience.hooks.stop()) return;
-    const FrameReport& report = run.take.before->report(frame);
-    if (audience.wants(frame)) deliver(run, take, report, run.take.before->positions(frame), audience.hooks);
-    if (audience.hooks.on_frame) audience.hooks.on_frame(take, report);
+    const bool is_needed = needs_positions(run, step, audience);
+    deliver(run, take,
+            {run.take.before->report(step), is_needed ? run.take.before->positions(step) : Positions()},
+            audience);
   }
 }
 
 void deliver_solved(Running& run, std::size_t take, const SolveReport& solved, const Audience& audience) {
-  const auto& [hooks, wanted] = audience;
-  const int frame = run.at->next - 1;
-  const double lambda = sample_lambda(run.take.shot.lambda, frame / run.take.shot.fps);
-  const FrameReport report{frame, lambda, solved.solves, solved.estimate, solved.converged, solved.slipped};
-  if (hooks.on_solved || audience.wants(frame)) {
-    Positions positions = file_positions(run.take.scene, run.at->passage.pose);
-    if (hooks.on_solved) hooks.on_solved(take, {report, positions, *run.at});
-    if (audience.wants(frame)) deliver(run, take, report, std::move(positions), hooks);
-  }
-  if (hooks.on_frame) hooks.on_frame(take, report);
+  const int step = run.at->next - 1;
+  const double lambda = sample_lambda(run.take.shot.lambda, time_of_step(run.take.shot, step));
+  const FrameReport report{step, lambda, solved.solves, solved.estimate, solved.converged, solved.slipped};
+  Positions positions;
+  if (audience.hooks.on_solved || needs_positions(run, step, audience))
+    positions = file_positions(run.take.scene, run.at->passage.pose);
+  if (audience.hooks.on_solved) audience.hooks.on_solved(take, {report, positions, *run.at});
+  deliver(run, take, {report, std::move(positions)}, audience);
 }
 
-/// Those that have this frame still to solve.
-std::vector<Running*> running_at(std::vector<Running>& runs, int frame) {
+/// Those that have this step still to solve.
+std::vector<Running*> running_at(std::vector<Running>& runs, int step) {
   std::vector<Running*> running;
   for (Running& run : runs)
-    if (run.at && run.at->next == frame && frame < run.count) running.push_back(&run);
+    if (run.at && run.at->next == step && step < run.count) running.push_back(&run);
   return running;
 }
 
@@ -190,16 +169,17 @@ std::vector<Clip> animate(std::span<const Take> takes, const Mesh& mesh, const s
     deliver_taken(runs[take], take, audience);
     last = std::max(last, runs[take].count - 1);
   }
-  for (int frame = 0; frame <= last; ++frame) {
-    const std::vector<Running*> running = running_at(runs, frame);
+  for (int step = 0; step <= last; ++step) {
+    const std::vector<Running*> running = running_at(runs, step);
     if (running.empty()) continue;
     if (hooks.stop && hooks.stop()) break;
-    const std::vector<SolveReport> solved = solve_frame(running, frame, cache);
+    const std::vector<SolveReport> solved = solve_step(running, step, cache);
     for (std::size_t k = 0; k < running.size(); ++k)
       deliver_solved(*running[k], static_cast<std::size_t>(running[k] - runs.data()), solved[k], audience);
   }
   for (std::size_t take = 0; take < runs.size(); ++take)
     if (hooks.on_end && runs[take].at) hooks.on_end(take, *runs[take].at);
+  for (std::size_t take = 0; take < runs.size(); ++take) deliver_way_back(runs[take], take, audience);
   std::vector<Clip> clips;
   for (Running& run : runs) clips.push_back(std::move(run.clip));
   return clips;

@@ -13,9 +13,9 @@ namespace flexkey {
 
 /// What is known when a frame is solved; good for the length of a call.
 struct SolvedStep {
-  const FrameReport& report;
+  const FrameReport& report;   // its frame is the number of the step, see timeline/steps.h
   const Positions& positions;  // #V x 3, vertices in the file's order, file units
-  const Waypoint& waypoint;    // which the next frame starts from
+  const Waypoint& waypoint;    // which the next step starts from
 };
 
 /// Whether the frames stay in memory, 24 bytes a vertex each, or only pass by `on_wanted`.
@@ -23,10 +23,11 @@ enum class Keep { frames, nothing };
 
 /// What a caller may hear of a running solve.
 struct AnimateHooks {
-  std::function<void(std::size_t take, const FrameReport&)> on_frame = {};   // after each frame, those that
-                                                                             // were solved before included
+  /// After each step, those that were solved before included; its number is that of its frame, and those of
+  /// a cycle's first lap are below 0.
+  std::function<void(std::size_t take, const FrameReport&)> on_frame = {};
   std::function<void(std::size_t take, const SolvedFrame&)> on_wanted = {};  // after each of `wanted`
-  std::function<void(std::size_t take, const SolvedStep&)> on_solved = {};   // after each frame solved now
+  std::function<void(std::size_t take, const SolvedStep&)> on_solved = {};   // after each step solved now
   std::function<void(std::size_t take, const Waypoint&)> on_end =
       {};                           // of a take that was solved on, stopped or not
   std::function<bool()> stop = {};  // true ends the solve after the current frame
@@ -35,7 +36,8 @@ struct AnimateHooks {
 
 /// Solves the shot from frame 0, each frame starting from the one before, and keeps the frames of `wanted`
 /// (increasing; all frames where it is empty). The clip ends early where `stop` said so. Frames of
-/// Take::before come from there, and the solve goes on behind them to the same bytes.
+/// Take::before come from there, and the solve goes on behind them to the same bytes. With ping-pong, frames
+/// that Take::before has not stay in memory until they have been played backwards.
 /// Throws DeformError if the surface cannot be solved.
 Clip animate(const Shot& shot, const Mesh& mesh, const Scene& scene, const std::vector<int>& wanted = {},
              const AnimateHooks& hooks = {});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,6 +35,14 @@ struct Clip {
   double fps = 24;                   // frames a second
   std::vector<Positions> frames;     // #frames of #V x 3, vertices in the file's order, file units
   std::vector<FrameReport> reports;  // #frames
+  int period = 0;             // of a cycle: its number of frames, that of the one which is frame 0 again
+  std::optional<double> gap;  // of a cycle that was solved to its end: the farthest that a vertex is
+                              // there from where it was in frame 0, a share of the rest diagonal
 };
+
+/// Whether a clip has all frames of a cycle, so that it comes round.
+inline bool comes_round(const Clip& clip) {
+  return clip.period > 0 && static_cast<int>(clip.reports.size()) == clip.period;
+}
 
 }  // namespace flexkey

@@ -5,7 +5,7 @@
 
 namespace flexkey {
 
-/// The way of a take to one of its frames under the handles that hold then; active: active_at or firm_at.
-Leg leg_of(const Take& take, const ActiveSet& active, int frame);
+/// The way of a take to one of its steps under the handles that hold then; active: active_at or firm_at.
+Leg leg_of(const Take& take, const ActiveSet& active, int step);
 
 }  // namespace flexkey

@@ -2,9 +2,11 @@
 
 #include <vector>
 
+#include "flexkey/animate/laps.h"
 #include "flexkey/animate/legs.h"
 #include "flexkey/animate/members.h"
 #include "flexkey/timeline/sampling.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey {
 
@@ -26,13 +28,13 @@ SolveInputs inputs_of(const Take& take, std::string_view program) {
           digest_of(take.shot.solver)};
 }
 
-Digest motion_of(const Take& take, int frame, const Digest& before) {
-  const double time = frame / take.shot.fps;
-  const Leg leg = leg_of(take, active_at(take.scene, time), frame);
+Digest motion_of(const Take& take, int step, const Digest& before) {
+  const double time = time_of_step(take.shot, step);
+  const Leg leg = leg_of(take, active_at(take.scene, time), step);
   const auto& [scene, active, now, lambda, max_step] = leg;  // of which the first and last are inputs
   std::vector<double> grips;
   for (const SceneHandle& bound : scene.handles) grips.push_back(sample_grip(bound.handle, time));
-  return digest_of(before, active, grips, now, targets_of(scene, now), lambda);
+  return digest_of(before, active, grips, now, targets_of(scene, now), lambda, turns_to_unwind(take, step));
 }
 
 std::string difference(const SolveInputs& before, const SolveInputs& now) {

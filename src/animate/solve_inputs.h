@@ -24,9 +24,9 @@ auto members_of(Self& inputs) {
 /// program: the build that solves, whose like alone gives the same bytes.
 SolveInputs inputs_of(const Take& take, std::string_view program);
 
-/// What frame k depends on beyond them: where the handles are and λ, at its own time and, by the digest of
-/// the frame before it (`{}` before the first), at all times before.
-Digest motion_of(const Take& take, int frame, const Digest& before);
+/// What a step depends on beyond them: where the handles are and λ, at its own time and, by the digest of
+/// the step before it (`{}` before the first), at all times before.
+Digest motion_of(const Take& take, int step, const Digest& before);
 
 /// The first thing that differs, as "the mesh has changed"; empty: nothing does.
 std::string difference(const SolveInputs& before, const SolveInputs& now);

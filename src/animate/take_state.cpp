@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <climits>
 #include <utility>
 
 #include "flexkey/animate/checkpoint.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey {
 
@@ -16,16 +16,16 @@ TakeState::TakeState(std::filesystem::path folder, const Take& take, std::string
       take_(take),
       inputs_(inputs_of(take, program)),
       log_(folder_ / "frames", inputs_, static_cast<Eigen::Index>(take.scene.weld.to_surface.size())),
-      wanted_(std::min(take.shot.frame_count(), wanted.empty() ? INT_MAX : wanted.back() + 1)) {
+      wanted_(steps_until(take.shot, wanted)) {
   compare();
-  verify(wanted);
+  verify(steps_shown(take.shot, wanted));
   if (!is_complete()) find_checkpoint();
 }
 
 /// Counts the frames as far as they depend on what this take does.
 void TakeState::compare() {
   fault_ = log_.solved_from() ? difference(*log_.solved_from(), inputs_) : log_.fault();
-  const int count = std::min(static_cast<int>(log_.frames().size()), take_.shot.frame_count());
+  const int count = std::min(static_cast<int>(log_.frames().size()), step_count(take_.shot));
   Digest motion;
   for (; frames_ < count; ++frames_) {
     motion = motion_of(take_, frames_, motion);

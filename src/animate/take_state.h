@@ -15,11 +15,11 @@ namespace flexkey {
 
 /// What is solved of a take, in a folder of its own: `frames`, a FrameLog, and `checkpoint`, a waypoint from
 /// which a stopped solve goes on to the same bytes. What was solved from other inputs, or is damaged, is not
-/// taken.
+/// taken. Frames here are those that are solved, one a step of the shot (see timeline/steps.h).
 class TakeState {
  public:
-  /// Looks at what is there of the take, which outlives it. program: see inputs_of. wanted: frames whose
-  /// positions must be sound, increasing; empty: all of the shot.
+  /// Looks at what is there of the take, which outlives it. program: see inputs_of. wanted: frames of the
+  /// shot whose positions must be sound, increasing; empty: all.
   TakeState(std::filesystem::path folder, const Take& take, std::string_view program,
             const std::vector<int>& wanted = {});
 

@@ -6,6 +6,7 @@
 
 #include "flexkey/animate/active_set.h"
 #include "flexkey/timeline/number.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey {
 namespace {
@@ -47,8 +48,8 @@ std::vector<Diagnostic> find_unheld(const Shot& shot, const Scene& scene, const 
                                     const std::vector<bool>& in_region) {
   std::vector<Support> supports = supports_of(scene, components, in_region);
   std::vector<Diagnostic> errors;
-  for (int frame = 0; frame < shot.frame_count(); ++frame) {
-    const double time = frame / shot.fps;
+  for (int step = 0; step < step_count(shot); ++step) {
+    const double time = time_of_step(shot, step);
     const ActiveSet active = active_at(scene, time), firm = firm_at(scene, time);
     if (firm.size() == scene.handles.size()) continue;
     for (std::size_t c = 0; c < supports.size(); ++c) {

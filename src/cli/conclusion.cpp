@@ -57,7 +57,7 @@ int conclude(const Session& session, const std::vector<RunReport>& reports,
 int conclude_stopped(const Session& session, const RunStates& states, std::size_t frames,
                      std::vector<std::string> fates) {
   fates.emplace_back(states.is_kept() ? "the same command goes on from there" : "no state was kept");
-  say(fmt::format("\nflexkey: stopped by a signal after {} of {} frames; {}\n", frames, session.frame_count(),
+  say(fmt::format("\nflexkey: stopped by a signal after {} of {} frames; {}\n", frames, session.step_count(),
                   fmt::join(fates, ", ")));
   return stopped_by_signal + noted_signal();
 }

@@ -15,6 +15,7 @@
 #include "flexkey/mesh/read_file.h"
 #include "flexkey/timeline/parse.h"
 #include "flexkey/timeline/sampling.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey::cli {
 namespace {
@@ -83,12 +84,13 @@ void probe_pages(const ShotOptions& options, const std::vector<Shot>& runs) {
       OutputFile probe(path);  // made and, uncommitted, removed again
 }
 
-std::vector<PageHandle> page_handles(const Scene& scene, const Clip& clip) {
+std::vector<PageHandle> page_handles(const SolvedRun& run) {
+  const auto& [shot, scene, clip] = run;
   std::vector<PageHandle> handles;
   for (const SceneHandle& bound : scene.handles)
     handles.push_back({bound.handle.name, bound.handle.is_anchor(), {}});
   for (const FrameReport& report : clip.reports) {
-    const double time = report.frame / clip.fps;
+    const double time = time_of_frame(shot, report.frame);
     const HandleStates states = sample_states(scene, time);
     for (std::size_t h = 0; h < handles.size(); ++h)
       handles[h].points.push_back(is_active(scene.handles[h].handle, time) ? marks_of(scene, states, h)
@@ -101,8 +103,7 @@ WrittenPage write_html_page(const SolvedRun& run, const GltfOptions& gltf, const
                             const std::vector<WrittenFile>& written) {
   const Stopwatch watch;
   GlbFile glb = glb_for_page(run, gltf, written);
-  const PageContents contents{std::move(glb.bytes), page_handles(run.scene, run.clip),
-                              page_clips(run.shot, run.clip)};
+  const PageContents contents{std::move(glb.bytes), page_handles(run), page_clips(run.shot, run.clip)};
   WrittenPage page;
   page.path = path;
   page.gltf = std::move(glb.report);

@@ -16,16 +16,16 @@ void check_pages(const LoadedShot& loaded, const ShotOptions& options, const std
 /// Throws OutputError for what cannot be written now. Checked before hours of solving.
 void probe_pages(const ShotOptions& options, const std::vector<Shot>& runs);
 
-/// The handles of a shot as its page marks them at the frames of the clip: in their middle, or along their
-/// chain.
-std::vector<PageHandle> page_handles(const Scene& scene, const Clip& clip);
-
 /// A run of the shot, solved.
 struct SolvedRun {
   const Shot& shot;
   const Scene& scene;
   const Clip& clip;
 };
+
+/// The handles of a shot as its page marks them at the frames of the clip: in their middle, or along their
+/// chain.
+std::vector<PageHandle> page_handles(const SolvedRun& run);
 
 /// Writes the run's page with the GLB that is `written` already; or else with one of its own, as `gltf` has
 /// it where the shot names a GLB, and of the profile `web` where it names none.

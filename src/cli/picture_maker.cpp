@@ -10,6 +10,7 @@
 #include "flexkey/preview/images/draw_legend.h"
 #include "flexkey/preview/images/textures.h"
 #include "flexkey/preview/legend.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey::cli {
 namespace {
@@ -117,13 +118,13 @@ Camera PictureMaker::camera_at(int frame) const {
 }
 
 Marks PictureMaker::marks_of(const KeptFrame& frame) const {
-  return marks_.at(frame.report.frame / loaded_.shot.fps, frame.positions);
+  return marks_.at(time_of_frame(loaded_.shot, frame.report.frame), frame.positions);
 }
 
 /// Where λ is what the colours say.
 Eigen::VectorXf PictureMaker::lambda_of(const KeptFrame& frame, const PictureRun& of) const {
   if (options_.style != Style::lambda) return {};
-  const Eigen::VectorXd lambda = lambda_at(of.shot, scene_, frame.report.frame / of.shot.fps);
+  const Eigen::VectorXd lambda = lambda_at(of.shot, scene_, time_of_frame(of.shot, frame.report.frame));
   return lambda(scene_.weld.to_surface).cast<float>();
 }
 

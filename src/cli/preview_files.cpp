@@ -12,6 +12,7 @@
 #include "flexkey/preview/images/resize.h"
 #include "flexkey/preview/images/sheet.h"
 #include "flexkey/timeline/sampling.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey::cli {
 namespace {
@@ -59,7 +60,7 @@ std::string time_label(const Shot& run, int frame) {
 }
 
 std::string lambda_label(const Shot& run, int frame) {
-  return fmt::format("λ = {:.2g}", sample_lambda(run.lambda, frame / run.fps));
+  return fmt::format("λ = {:.2g}", sample_lambda(run.lambda, time_of_frame(run, frame)));
 }
 
 }  // namespace

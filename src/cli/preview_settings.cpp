@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "flexkey/timeline/sampling.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey::cli {
 namespace {
@@ -97,7 +98,7 @@ std::vector<int> drawn_frames(const Shot& run, const ShotOptions& options) {
 std::vector<Moment> moments_of(const Shot& run) {
   std::vector<Moment> moments;
   for (int k = 0; k < run.frame_count(); ++k)
-    moments.push_back({k, k / run.fps, sample_lambda(run.lambda, k / run.fps)});
+    moments.push_back({k, k / run.fps, sample_lambda(run.lambda, time_of_frame(run, k))});
   return moments;
 }
 

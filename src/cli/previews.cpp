@@ -17,6 +17,7 @@
 #include "flexkey/preview/clip_extent.h"
 #include "flexkey/preview/images/image_file.h"
 #include "flexkey/preview/images/module.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey::cli {
 namespace {
@@ -32,8 +33,11 @@ struct RunPictures {
   WrittenPreview report;
 
   KeptFrame frame(int number) const {
-    return state != nullptr ? KeptFrame{state->report(number), state->positions(number)}
-                            : spool->frame(number);
+    if (state == nullptr) return spool->frame(number);
+    const int step = step_of(of.shot, number);
+    KeptFrame kept{state->report(step), state->positions(step)};
+    kept.report.frame = number;
+    return kept;
   }
 };
 

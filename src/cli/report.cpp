@@ -189,6 +189,7 @@ json run_json(const RunReport& run) {
   for (const WrittenPreview& preview : run.previews) written.push_back(preview_json(preview));
   return {
       {"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
+      {"gap", run.gap ? json(*run.gap) : json()},
       {"frames", run.frames.size()},
       {"solved_before", run.solved_before()},
       {"solves", run.solves()},
@@ -265,6 +266,9 @@ std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& 
     if (const std::vector<int> slipped = run.slipped(); !slipped.empty())
       text += fmt::format("  slip   the surface lost a turn that its handles made: {}\n",
                           frames_text(slipped, run.frames.size(), "slipped"));
+    if (run.gap)
+      text +=
+          fmt::format("  loop   ends within {:.2g} % of the diagonal of where it begins\n", 100 * *run.gap);
     text += poses_text(run);
     for (const WrittenFile& file : run.written) text += file_text(file, run.write_seconds);
     for (const WrittenCache& cache : run.caches) text += cache_text(cache);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,7 +55,8 @@ struct PoseNote {
 /// One solve of the shot, one of several in a sweep.
 struct RunReport {
   double lambda_first = 0, lambda_last = 0;
-  std::vector<FrameReport> frames;  // every solved frame
+  std::vector<FrameReport> frames;  // every solved frame; those of a cycle's first lap have numbers below 0
+  std::optional<double> gap;        // of a cycle, see Clip
   std::size_t solved_now = 0;       // of them; the others come from the shot's state
   bool claims_convergence = true;   // `preset: paper` does not
   std::vector<PoseNote> poses;

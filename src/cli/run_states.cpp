@@ -73,7 +73,7 @@ void RunStates::require_all() const {
     if (!state->fault().empty())
       throw UsageError(fmt::format("the state in '{}' is stale: {}{}", place, state->fault(), remedy));
     throw UsageError(fmt::format("the state in '{}' has {} of {} frames{}", place, state->frames(),
-                                 session_.frame_count(), remedy));
+                                 session_.step_count(), remedy));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "cli/load.h"
 #include "cli/options.h"
 #include "flexkey/animate/scene.h"
+#include "flexkey/timeline/steps.h"
 
 namespace flexkey::cli {
 
@@ -21,8 +22,8 @@ struct Session {
   Scene scene = {};         // that of all runs
   double load_seconds = 0;
 
-  /// Frames that each run is solved for.
-  int frame_count() const { return wanted.empty() ? loaded.shot.frame_count() : wanted.back() + 1; }
+  /// Steps that each run is solved for; see timeline/steps.h.
+  int step_count() const { return steps_until(loaded.shot, wanted); }
 };
 
 /// Loads and binds the shot and says its warnings. Throws as load_shot and bind_loaded do.

@@ -13,7 +13,7 @@ int run_solve(const ShotOptions& options) {
   note_signals();
   std::vector<RunReport> reports;
   {
-    Progress progress(session.frame_count() * static_cast<int>(session.runs.size()), verbosity_of(options));
+    Progress progress(session.step_count() * static_cast<int>(session.runs.size()), verbosity_of(options));
     for (const Batch& batch : batches_of(session)) {
       for (RunFrames& frames : frames_of(session, states, batch, {}, progress))
         reports.push_back(std::move(frames.report));

@@ -65,6 +65,7 @@ std::vector<RunFrames> frames_of(const Session& session, RunStates& states, cons
   std::vector<Clip> clips = animate(takes, session.loaded.mesh, session.wanted, hooks);
   for (std::size_t k = 0; k < batch.count; ++k) {
     RunReport& report = found[k].report;
+    report.gap = clips[k].gap;
     found[k].clip = picked_of(std::move(clips[k]), session);
     report.solve_seconds = watch.seconds() / static_cast<double>(batch.count);
     report.claims_convergence = takes[k].shot.solver.preset != SolverSettings::Preset::paper;

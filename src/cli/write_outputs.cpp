@@ -48,7 +48,7 @@ Outcome write_outputs(const Session& session, RunStates& states) {
   Previews previews(session, states);
   Outcome outcome;
   {
-    Progress progress(session.frame_count() * static_cast<int>(session.runs.size()),
+    Progress progress(session.step_count() * static_cast<int>(session.runs.size()),
                       verbosity_of(session.options));
     for (const Batch& batch : batches_of(session))
       if (noted_signal() == 0) write_batch(session, batch, states, previews, progress, outcome);

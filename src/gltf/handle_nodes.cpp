@@ -52,22 +52,31 @@ NodeMotion motion_of(const HandleTrack& handle, const std::vector<std::size_t>& 
   return motion;
 }
 
-std::vector<std::size_t> frames_within(const Clip& clip, const PlayedRange& range) {
-  constexpr double rounding = 1e-9;
+/// Frames of the clip, and when they are played.
+struct PlayedFrames {
   std::vector<std::size_t> frames;
-  for (std::size_t k = 0; k < clip.reports.size(); ++k) {
-    const double time = clip.reports[k].frame / clip.fps;
-    if (time >= range.from - rounding && time <= range.to + rounding) frames.push_back(k);
-  }
-  return frames;
+  std::vector<double> seconds;  // of the shot
+};
+
+/// A clip that comes round ends with its first frame.
+PlayedFrames frames_within(const Clip& clip, const PlayedRange& range) {
+  constexpr double rounding = 1e-9;
+  PlayedFrames played;
+  const auto add = [&](std::size_t k, double second) {
+    if (second < range.from - rounding || second > range.to + rounding) return;
+    played.frames.push_back(k);
+    played.seconds.push_back(second);
+  };
+  for (std::size_t k = 0; k < clip.reports.size(); ++k) add(k, clip.reports[k].frame / clip.fps);
+  if (comes_round(clip)) add(0, clip.period / clip.fps);
+  return played;
 }
 
 /// Seconds from the range's start, #frames x 1.
-FloatRows times_of(const Clip& clip, const std::vector<std::size_t>& frames, double from) {
-  FloatRows times(static_cast<Eigen::Index>(frames.size()), 1);
-  for (std::size_t k = 0; k < frames.size(); ++k)
-    times(static_cast<Eigen::Index>(k), 0) =
-        static_cast<float>(std::max(clip.reports[frames[k]].frame / clip.fps - from, 0.0));
+FloatRows times_of(const PlayedFrames& played, double from) {
+  FloatRows times(static_cast<Eigen::Index>(played.seconds.size()), 1);
+  for (std::size_t k = 0; k < played.seconds.size(); ++k)
+    times(static_cast<Eigen::Index>(k), 0) = static_cast<float>(std::max(played.seconds[k] - from, 0.0));
   return times;
 }
 
@@ -110,13 +119,13 @@ Addition add_handles(const Glb& file, const Clip& clip, const std::vector<Handle
   Addition addition;
   addition.new_nodes = nodes_of(scene, handles);
   for (const PlayedRange& range : ranges) {
-    const std::vector<std::size_t> frames = frames_within(clip, range);
-    if (frames.empty()) continue;
+    const PlayedFrames played = frames_within(clip, range);
+    if (played.frames.empty()) continue;
     AnimationAddition animation{"", range.animation, {}};
     int input = -1;  // none where no handle moves
     for (std::size_t h = 0; h < handles.size(); ++h)
-      for (const Path& path : moving_paths(motion_of(handles[h], frames))) {
-        if (input < 0) input = append_times(model, times_of(clip, frames, range.from));
+      for (const Path& path : moving_paths(motion_of(handles[h], played.frames))) {
+        if (input < 0) input = append_times(model, times_of(played, range.from));
         const int node = first_node + static_cast<int>(h);
         animation.channels.push_back({node, input, append_values(model, path.rows), path.name});
       }

@@ -45,7 +45,17 @@ double first_second(const Clip& clip) {
   return clip.reports.front().frame / clip.fps;
 }
 double last_second(const Clip& clip) {
-  return clip.reports.back().frame / clip.fps;
+  return (comes_round(clip) ? clip.period : clip.reports.back().frame) / clip.fps;
+}
+
+/// With a key at the end of a cycle that is the first once more, so that players go on without a jump.
+Basis closed(const Clip& clip, const Basis& basis) {
+  Basis round{{}, basis.keys, basis.weights, {}};
+  if (!comes_round(clip)) return round;
+  round.keys.push_back(clip.period);
+  round.weights.conservativeResize(basis.weights.rows() + 1, Eigen::NoChange);
+  round.weights.bottomRows(1) = basis.weights.topRows(1);
+  return round;
 }
 
 WeightTrack track_of(const Clip& clip, const Basis& basis, const ClipRange& range) {
@@ -71,9 +81,10 @@ WeightTrack whole_track(const Clip& clip, const Basis& basis) {
 
 std::vector<WeightTrack> weight_tracks(const Clip& clip, const Basis& basis,
                                        const std::vector<ClipRange>& ranges) {
+  const Basis whole = closed(clip, basis);
   std::vector<WeightTrack> tracks;
-  for (const ClipRange& range : ranges) tracks.push_back(track_of(clip, basis, range));
-  if (ranges.empty()) tracks.push_back(whole_track(clip, basis));
+  for (const ClipRange& range : ranges) tracks.push_back(track_of(clip, whole, range));
+  if (ranges.empty()) tracks.push_back(whole_track(clip, whole));
   return tracks;
 }
 

@@ -18,7 +18,8 @@ struct WeightTrack {
 };
 
 /// One track a range, each from 0, or one of the whole clip under the clip's name. A range that lies
-/// outside the clip is cut to it. Throws InputError where nothing of it is left.
+/// outside the clip is cut to it. A clip that comes round ends with its first weights. Throws InputError
+/// where nothing of it is left.
 std::vector<WeightTrack> weight_tracks(const Clip& clip, const Basis& basis,
                                        const std::vector<ClipRange>& ranges);
 

@@ -8,7 +8,7 @@ constexpr KeySpec shot[] = {
     {"mesh", "the mesh file, or a mapping that says how to read it"},
     {"fps", "frames a second, above 0 and at most 1000; default 24"},
     {"duration", "the last frame's time; default the last key"},
-    {"loop", "none, cycle or ping-pong; only none is built"},
+    {"loop", "none (default); cycle: the last frame goes over into the first; ping-pong: there and back"},
     {"vars", "values by name; $name stands for one wherever a value does"},
     {"times", "named times"},
     {"points", "named positions, mesh units"},

@@ -43,11 +43,23 @@ void check_version(const Node& node, Scope& scope) {
                        fmt::format("version {} is not known; this program reads version 1", node.text));
 }
 
-enum class Loop { none };
+Loop read_loop(const Node& node, Scope& scope) {
+  return read_word<Loop>(node, "loop",
+                         {{"none", Loop::none}, {"cycle", Loop::cycle}, {"ping-pong", Loop::ping_pong}},
+                         scope)
+      .value_or(Loop::none);
+}
 
-void check_loop(const Node& node, Scope& scope) {
-  read_word<Loop>(node, "loop", {{"none", Loop::none}, {"cycle", std::nullopt}, {"ping-pong", std::nullopt}},
-                  scope);
+/// A cycle comes round after a whole number of frames.
+void check_cycle(const Shot& shot, Mark where, Findings& findings) {
+  const double frames = shot.duration * shot.fps;
+  if (shot.loop != Loop::cycle || findings.has_errors()) return;
+  if (shot.frame_count() < 1) {
+    findings.error(where, fmt::format("a cycle lasts a frame at least, and the shot {:g}s", shot.duration));
+  } else if (std::abs(frames - std::round(frames)) > 1e-6) {
+    findings.warning(where, fmt::format("the cycle's {:g}s are {:g} frames; it comes round after {}",
+                                        shot.duration, frames, shot.frame_count()));
+  }
 }
 
 std::optional<double> read_fps(const Node& node, Scope& scope) {
@@ -130,12 +142,15 @@ Shot read_shot(Node root, const Sources& sources, Findings& findings) {
   Scope scope(findings, sources);
   scope.variables = words_of(variables);
   if (const Node* node = fields->value("version")) check_version(*node, scope);
-  if (const Node* node = fields->value("loop")) check_loop(*node, scope);
   read_definitions(*fields, scope);
   Shot shot = read_contents(*fields, scope);
   shot.variables = scope.variables;
   shot.fps = scope.fps;
   shot.duration = read_duration(*fields, scope);
+  if (const Node* node = fields->value("loop")) {
+    shot.loop = read_loop(*node, scope);
+    check_cycle(shot, node->where, findings);
+  }
   complete_preview(shot, findings);
   check_output_paths(shot, findings);
   return shot;

@@ -14,6 +14,7 @@
 #include "flexkey/timeline/read_path.h"
 #include "flexkey/timeline/read_preview_camera.h"
 #include "flexkey/timeline/scalar.h"
+#include "flexkey/timeline/steps.h"
 #include "flexkey/timeline/words.h"
 
 namespace flexkey {
@@ -234,9 +235,9 @@ void complete_preview(Shot& shot, Findings& findings) {
   if (had_frames && preview.frames.empty())
     findings.error(where, fmt::format("no frame of these is within the shot, whose last frame is {}", last));
   std::erase_if(preview.sheet.at, [&](const MarkedTime& moment) {
-    if (moment.time <= shot.duration + 1e-6) return false;
+    if (moment.time <= played_duration(shot) + 1e-6) return false;
     findings.warning(moment.where, fmt::format("{:g}s is past the shot's end, {:g}s, and is left out",
-                                               moment.time, shot.duration));
+                                               moment.time, played_duration(shot)));
     return true;
   });
 }

@@ -165,6 +165,13 @@ struct Sweep {
   std::vector<double> lambda;
 };
 
+/// How a shot is played again and again.
+enum class Loop {
+  none,
+  cycle,     // its last frame goes over into its first: of two laps that are solved the second is kept
+  ping_pong  // there and, by the same frames, back
+};
+
 /// One timeline file as plain values. Times in seconds, angles in radians, lengths in mesh units.
 struct Shot {
   std::string name;  // the file's name without folder and extension
@@ -172,7 +179,8 @@ struct Shot {
   MeshSource mesh;
   std::map<std::string, std::string> variables;  // those that are one word, for placeholders
   double fps = 24;
-  double duration = 0;  // seconds; frames are k = 0 .. floor(duration * fps + 1e-6)
+  double duration = 0;  // seconds of the keys, and with ping-pong those of the way there
+  Loop loop = Loop::none;
   std::optional<Selection> roi;
   std::vector<Handle> handles;
   std::vector<RigidSelection> rigid;
@@ -187,7 +195,12 @@ struct Shot {
   std::vector<NamedInterval> clips;  // an animation each in the GLB; empty: one of the whole shot
   Sweep sweep;
 
-  int frame_count() const { return static_cast<int>(duration * fps + 1e-6) + 1; }
+  /// Frame k is at k / fps. A cycle lacks the one at its end, which is frame 0.
+  int frame_count() const {
+    const int last = static_cast<int>(duration * fps + 1e-6);
+    if (loop == Loop::cycle) return last;
+    return loop == Loop::ping_pong ? 2 * last + 1 : last + 1;
+  }
 };
 
 }  // namespace flexkey

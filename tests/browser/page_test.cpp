@@ -29,7 +29,7 @@ class Page : public BrowserTest {
     const cli::LoadedShot loaded = cli::load_shot(options);
     const Scene scene = bind_shot(loaded.shot, loaded.mesh);
     const Clip clip = animate(loaded.shot, loaded.mesh, scene);
-    write(clip, {.glb = {}, .handles = cli::page_handles(scene, clip), .clips = {}});
+    write(clip, {.glb = {}, .handles = cli::page_handles({loaded.shot, scene, clip}), .clips = {}});
   }
 
   void expect_that_it(const std::string& what) {

@@ -115,10 +115,10 @@ TEST_F(Animate, AShotWithoutAnOutputIsToldWhatToAdd) {
 }
 
 TEST_F(Animate, KeysNotBuiltYetWarnAndTheShotRunsOn) {
-  write("shot.yaml", std::string(test::minimal_shot) + "loop: cycle\n");
-  const ProgramResult result = run({"animate", "shot.yaml"});
+  write("shot.yaml", test::minimal_shot);
+  const ProgramResult result = run({"animate", "shot.yaml", "--set", "mesh={file: bar.obj, up: z}"});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr("shot.yaml:8:7: warning: loop 'cycle' is not built yet"));
+  EXPECT_THAT(result.errors, HasSubstr("--set mesh: warning: 'up' is not built yet"));
 }
 
 }  // namespace

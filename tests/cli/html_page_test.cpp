@@ -109,7 +109,8 @@ handles:
                                "shot.yaml")
                         .shot;
   const Scene scene = bind_shot(shot, mesh);
-  const std::vector<PageHandle> handles = cli::page_handles(scene, animate(shot, mesh, scene));
+  const Clip clip = animate(shot, mesh, scene);
+  const std::vector<PageHandle> handles = cli::page_handles({shot, scene, clip});
   ASSERT_EQ(handles.size(), 3u);
   EXPECT_EQ(handles[0].name, "base");
   EXPECT_TRUE(handles[0].is_anchor);
@@ -134,7 +135,8 @@ handles:
                                "shot.yaml")
                         .shot;
   const Scene scene = bind_shot(shot, mesh);
-  const std::vector<PageHandle> handles = cli::page_handles(scene, animate(shot, mesh, scene));
+  const Clip clip = animate(shot, mesh, scene);
+  const std::vector<PageHandle> handles = cli::page_handles({shot, scene, clip});
   const Positions &first = handles[1].points.front(), &last = handles[1].points.back();
   ASSERT_EQ(first.rows(), 12) << "not all 31";
   EXPECT_TRUE(first.row(0).isZero());

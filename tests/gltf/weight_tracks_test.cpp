@@ -57,6 +57,20 @@ TEST(WeightTracks, ARangeIsCutToTheClip) {
   EXPECT_THAT(tracks[0].times, ElementsAre(0, 0.25, 0.5));
 }
 
+TEST(WeightTracks, OfACycleEndWithTheFirstWeights) {
+  Clip clip = four_a_second(3);
+  clip.period = 3;
+  const WeightTrack whole = weight_tracks(clip, basis_of(clip), {}).at(0);
+  EXPECT_THAT(whole.times, ElementsAre(0, 0.25, 0.5, 0.75));
+  EXPECT_EQ(whole.to, 0.75);
+  EXPECT_EQ(whole.weights.bottomRows(1), whole.weights.topRows(1));
+  const WeightTrack end = weight_tracks(clip, basis_of(clip), {{"end", 0.5, 2}}).at(0);
+  EXPECT_THAT(end.times, ElementsAre(0, 0.25));
+  EXPECT_EQ(end.weights.bottomRows(1), whole.weights.topRows(1));
+  clip.period = 4;  // of which a frame is not written
+  EXPECT_THAT(weight_tracks(clip, basis_of(clip), {}).at(0).times, ElementsAre(0, 0.25, 0.5));
+}
+
 TEST(WeightTracks, SomeFramesOfAShotCountInItsTime) {
   Clip clip = four_a_second(3);
   for (FrameReport& report : clip.reports) report.frame += 8;  // from 2 s

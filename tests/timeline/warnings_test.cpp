@@ -27,17 +27,12 @@ TEST(Warnings, OfOutputs) {
               ElementsAre(ignored("4:49", "report")));
 }
 
-TEST(Warnings, OfLoops) {
-  EXPECT_THAT(warnings_of(with_base("loop: cycle\n")),
-              ElementsAre("shot.yaml:4:7: warning: loop 'cycle' is not built yet and is ignored"));
-  EXPECT_THAT(warnings_of(with_base("loop: none\n")), IsEmpty());
-}
-
 TEST(Warnings, AreNotGivenForWhatIsBuilt) {
   EXPECT_THAT(
       warnings_of(with_base("version: 1\noutput: {gltf: {path: a.glb, profile: exact, tolerance: 0.1%, "
                             "normals: none}}\n")),
       IsEmpty());
+  EXPECT_THAT(warnings_of(with_base("loop: ping-pong\n")), IsEmpty());
   EXPECT_THAT(warnings_of(with_base("clips: {in: [0s, 1s]}\noutput: {gltf: {path: a.glb, basis: pca, "
                                     "profile: web, encoding: float}}\n")),
               IsEmpty());
