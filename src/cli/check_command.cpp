@@ -73,13 +73,13 @@ json handles_json(const Shot& shot, const Scene& scene) {
   return handles;
 }
 
-json summary(const LoadedShot& loaded, const Scene& scene) {
+json summary(const ReadTimeline& timeline, const LoadedShot& loaded, const Scene& scene) {
   json rigid = json::array();
   for (std::size_t k = 0; k < scene.constraints.rigid.size(); ++k)
     rigid.push_back({{"name", loaded.shot.rigid[k].name},
                      {"vertices", file_vertices(scene, scene.constraints.rigid[k])}});
   json outputs = json::array();
-  for (const Shot& run : runs_of(loaded.shot)) {
+  for (const Shot& run : timeline.runs) {
     if (!run.gltf.path.empty()) outputs.push_back(run.gltf.path);
     for (const CacheOutput& cache : run.caches) outputs.push_back(cache.path);
     if (!run.html.path.empty()) outputs.push_back(run.html.path);
@@ -114,7 +114,7 @@ json summary(const LoadedShot& loaded, const Scene& scene) {
            {{"first", loaded.shot.lambda.front().value},
             {"last", loaded.shot.lambda.back().value},
             {"regions", loaded.shot.regions.size()}}},
-          {"runs", runs_of(loaded.shot).size()},
+          {"runs", timeline.runs.size()},
           {"outputs", std::move(outputs)},
           {"warnings", loaded.warnings}};
 }
@@ -195,15 +195,19 @@ void draw_picture(const LoadedShot& loaded, const Scene& scene, const ShotOption
 }  // namespace
 
 int run_check(const ShotOptions& options) {
-  const LoadedShot loaded = load_shot(options);
-  const Scene scene = bind_loaded(loaded.shot, loaded, options);
-  const std::vector<Shot> runs = runs_of(loaded.shot);
-  plan_outputs(loaded, options, runs);  // for its errors: what `animate` would refuse
-  check_pose_outputs(loaded, options);
-  check_caches(loaded, options, runs);
-  check_pages(loaded, options, runs);
-  check_previews(loaded, options, runs);
-  const json report = summary(loaded, scene);
+  const ReadTimeline timeline = read_shot(options);
+  LoadedShot loaded;
+  Scene scene;
+  for (std::size_t family = timeline.families.size(); family-- > 0;) {  // the first last: it is summed up
+    loaded = load_family(timeline, family, options);
+    scene = bind_loaded(loaded.shot, loaded, options);
+    plan_outputs(loaded, options, loaded.runs);  // for its errors: what `animate` would refuse
+    check_pose_outputs(loaded, options);
+    check_caches(loaded, options, loaded.runs);
+    check_pages(loaded, options, loaded.runs);
+    check_previews(loaded, options, loaded.runs);
+  }
+  const json report = summary(timeline, loaded, scene);
   if (!options.quiet)
     for (const std::string& warning : loaded.warnings) say(fmt::format("{}\n", warning));
   if (options.json) {

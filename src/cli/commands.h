@@ -7,6 +7,9 @@ namespace flexkey::cli {
 /// `flexkey animate`: solves the shot and writes what it names. Returns an ExitCode.
 int run_animate(const ShotOptions& options);
 
+/// `flexkey sweep`: the same for every run of the shot's sweep, or a chunk of them. Returns an ExitCode.
+int run_sweep(const ShotOptions& options);
+
 /// `flexkey solve`: solves the shot into its state. Returns an ExitCode.
 int run_solve(const ShotOptions& options);
 

@@ -21,36 +21,34 @@ std::vector<std::string> gltf_warnings(const RunReport& report) {
   return warnings;
 }
 
-void print_report(const Session& session, const std::vector<RunReport>& reports,
-                  const std::vector<std::string>& results) {
-  const bool quiet = session.options.quiet;
-  if (!quiet) {
-    for (const RunReport& report : reports)
-      for (const std::string& warning : gltf_warnings(report)) say(fmt::format("warning: {}\n", warning));
-    say(report_text(session.loaded, reports, session.load_seconds));
-  }
-  if (session.options.json) {
-    print_result(fmt::format("{}\n", report_json(session.loaded, reports, session.load_seconds)));
-  } else if (!quiet) {
-    for (const std::string& result : results) print_result(fmt::format("{}\n", result));
-  }
-}
-
 }  // namespace
 
-int conclude(const Session& session, const std::vector<RunReport>& reports,
-             const std::vector<std::string>& results) {
-  print_report(session, reports, results);
-  if (!session.options.strict) return done;
-  for (const RunReport& report : reports) {
-    const std::vector<std::string> poses = report.unconverged_poses();
-    if (report.unconverged().empty() && poses.empty()) continue;
-    say(report.unconverged().empty()
-            ? fmt::format("flexkey: error: poses did not converge (--strict): {}\n", fmt::join(poses, ", "))
-            : fmt::format("flexkey: error: {} of {} frames did not converge (--strict)\n",
-                          report.unconverged().size(), report.frames.size()));
-    return not_converged;
+void note(const Session& session, std::vector<RunReport> reports, Doings& doings) {
+  FamilyReport& family = doings.families.emplace_back(family_report(session.loaded, session.load_seconds));
+  family.runs = std::move(reports);
+  if (session.options.quiet) return;
+  for (const RunReport& report : family.runs)
+    for (const std::string& warning : gltf_warnings(report)) say(fmt::format("warning: {}\n", warning));
+  say(report_text(family));
+}
+
+int conclude(const ShotOptions& options, const Doings& doings) {
+  if (options.json) {
+    print_result(fmt::format("{}\n", report_json(doings.families)));
+  } else if (!options.quiet) {
+    for (const std::string& result : doings.results) print_result(fmt::format("{}\n", result));
   }
+  if (!options.strict) return done;
+  for (const FamilyReport& family : doings.families)
+    for (const RunReport& report : family.runs) {
+      const std::vector<std::string> poses = report.unconverged_poses();
+      if (report.unconverged().empty() && poses.empty()) continue;
+      say(report.unconverged().empty()
+              ? fmt::format("flexkey: error: poses did not converge (--strict): {}\n", fmt::join(poses, ", "))
+              : fmt::format("flexkey: error: {} of {} frames did not converge (--strict)\n",
+                            report.unconverged().size(), report.frames.size()));
+      return not_converged;
+    }
   return done;
 }
 

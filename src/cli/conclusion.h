@@ -9,10 +9,18 @@
 
 namespace flexkey::cli {
 
-/// Prints what was done, for a person and, as asked, for scripts. Returns the command's ExitCode.
-/// results: what the command made, a path each.
-int conclude(const Session& session, const std::vector<RunReport>& reports,
-             const std::vector<std::string>& results);
+/// What a command has done so far.
+struct Doings {
+  std::vector<FamilyReport> families;
+  std::vector<std::string> results;  // what it made, a path each
+};
+
+/// Adds what was done with a session's runs, and says it to a person.
+void note(const Session& session, std::vector<RunReport> reports, Doings& doings);
+
+/// Prints what the command made or, as asked, its report for scripts, and writes that where the shot names
+/// one. Returns the command's ExitCode. Throws OutputError.
+int conclude(const ShotOptions& options, const Doings& doings);
 
 /// Says what a signal left. fates: of outputs, a sentence each. Returns the command's exit code.
 int conclude_stopped(const Session& session, const RunStates& states, std::size_t frames,

@@ -9,7 +9,7 @@
 
 #include "cli/mesh_input.h"
 #include "cli/output_paths.h"
-#include "cli/timeline_files.h"
+#include "cli/sweep_runs.h"
 #include "flexkey/gltf/read_gltf.h"
 #include "flexkey/mesh/defects.h"
 #include "flexkey/mesh/read_file.h"
@@ -80,18 +80,28 @@ std::string fault_of_merge(const LoadedShot& loaded, const Shot& run) {
 
 }  // namespace
 
-LoadedShot load_shot(const ShotOptions& options) {
-  LoadedShot loaded;
-  const std::vector<Override> overrides = options.overrides();
-  const std::string text = read_timeline(options.shot);
-  TimelineFiles files{folder_of(options.shot), {}, {}};
-  ParsedShot parsed = parse_shot(text, options.shot, overrides, sources_of(files));
-  loaded.shot = std::move(parsed.shot);
+ReadTimeline read_shot(const ShotOptions& options) {
+  ReadTimeline timeline{read_timeline(options.shot), {folder_of(options.shot), {}, {}}, {}, {}, {}};
+  ParsedShot parsed =
+      parse_shot(timeline.text, options.shot, options.overrides(), sources_of(timeline.files));
   for (const Diagnostic& warning : parsed.warnings)
-    loaded.warnings.push_back(format_diagnostic(loaded.shot.file, warning));
+    timeline.warnings.push_back(format_diagnostic(options.shot, warning));
+  if (options.chunk && parsed.shot.swept.empty())
+    throw UsageError(fmt::format("{} has no 'sweep', which --chunk would take a part of", options.shot));
+  timeline.runs = std::move(parsed.runs);
+  timeline.families =
+      families_of(options.chunk ? runs_of_chunk(*options.chunk, timeline.runs) : timeline.runs);
+  return timeline;
+}
 
+LoadedShot load_family(const ReadTimeline& timeline, std::size_t family, const ShotOptions& options) {
+  LoadedShot loaded;
+  loaded.runs = timeline.families[family];
+  loaded.shot = loaded.runs.front();
+  loaded.warnings = timeline.warnings;
+  const TimelineFiles& files = timeline.files;
   loaded.mesh_path = files.folder / loaded.shot.mesh.file;
-  MeshInput named = read_named_mesh(loaded.shot, loaded.mesh_path, overrides);
+  MeshInput named = read_named_mesh(loaded.shot, loaded.mesh_path, options.overrides());
   MeshFile& file = named.file;
   loaded.mesh = std::move(file.mesh);
   loaded.source = std::move(named.source);
@@ -99,7 +109,7 @@ LoadedShot load_shot(const ShotOptions& options) {
   for (const std::string& line : describe(find_defects(weld(loaded.mesh).surface)))
     loaded.warnings.push_back(fmt::format("warning: {}: {}", loaded.mesh_path.string(), line));
 
-  std::vector<std::string> hashed{text, read_file(loaded.mesh_path)};
+  std::vector<std::string> hashed{timeline.text, read_file(loaded.mesh_path)};
   for (const fs::path& input : file.inputs) hashed.push_back(read_file(input));
   hashed.insert(hashed.end(), files.contents.begin(), files.contents.end());
   hashed.insert(hashed.end(), options.set.begin(), options.set.end());
@@ -112,6 +122,10 @@ LoadedShot load_shot(const ShotOptions& options) {
   for (const Material& material : loaded.mesh.materials)
     if (!material.texture.empty()) loaded.inputs.push_back(loaded.mesh_path.parent_path() / material.texture);
   return loaded;
+}
+
+LoadedShot load_shot(const ShotOptions& options) {
+  return load_family(read_shot(options), 0, options);
 }
 
 Scene bind_loaded(const Shot& shot, const LoadedShot& loaded, const ShotOptions& options) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "cli/timeline_files.h"
 #include "flexkey/animate/scene.h"
 #include "flexkey/gltf/read_gltf.h"
 #include "flexkey/mesh/mesh.h"
@@ -13,9 +14,20 @@
 
 namespace flexkey::cli {
 
-/// A shot and its mesh as read from disk.
+/// A timeline as read from disk, and the runs that it asks for.
+struct ReadTimeline {
+  std::string text;
+  TimelineFiles files;
+  std::vector<std::string> warnings;        // whole lines
+  std::vector<Shot> runs;                   // one, or those of its sweep
+  std::vector<std::vector<Shot>> families;  // that are to be solved: the same, or a chunk of them; those that
+                                            // differ in λ alone are solved together
+};
+
+/// Runs of a shot that are solved together, and their mesh as read from disk.
 struct LoadedShot {
-  Shot shot;
+  Shot shot;               // what they have in common: the first
+  std::vector<Shot> runs;  // with the paths of their outputs
   Mesh mesh;
   std::optional<GltfSource> source;  // where the mesh is of a glTF file
   std::filesystem::path mesh_path;
@@ -24,7 +36,13 @@ struct LoadedShot {
   std::string hash;                           // of timeline, overrides, mesh and what it names, hexadecimal
 };
 
-/// Reads timeline and mesh. Throws TimelineError, InputError, UsageError.
+/// Throws TimelineError, InputError, UsageError.
+ReadTimeline read_shot(const ShotOptions& options);
+
+/// Reads the mesh of a family. Throws TimelineError, InputError.
+LoadedShot load_family(const ReadTimeline& timeline, std::size_t family, const ShotOptions& options);
+
+/// Reads a timeline and the mesh of its first family.
 LoadedShot load_shot(const ShotOptions& options);
 
 /// Resolves the shot, or another made of it, on its mesh. Throws TimelineError, whose places may be in the

@@ -52,8 +52,8 @@ void add_run_options(CLI::App& command, ShotOptions& options) {
 
 /// What is wrong with the command's name, or nothing; flags and no name at all are left to CLI11.
 std::string unknown_command(int argc, char** argv) {
-  const std::vector<std::string> built{"animate", "solve",   "export", "render", "check",
-                                       "watch",   "inspect", "init",   "pick"};
+  const std::vector<std::string> built{"animate", "sweep", "solve",   "export", "render",
+                                       "check",   "watch", "inspect", "init",   "pick"};
   const std::vector<std::string> planned{"schema"};
   if (argc < 2 || argv[1][0] == '-') return {};
   const std::string name = argv[1];
@@ -76,6 +76,15 @@ int main(int argc, char** argv) {
   add_shot_options(*animate, options);
   add_run_options(*animate, options);
   animate->footer("Example:\n  flexkey animate timelines/nose.yaml -d out\n");
+
+  std::string chunk;
+  CLI::App* sweep =
+      app.add_subcommand("sweep", "Solve and write every run of a shot's sweep, or a part of them");
+  add_shot_options(*sweep, options);
+  add_run_options(*sweep, options);
+  sweep->add_option("--chunk", chunk, "The i-th of n parts of the runs, for several machines")
+      ->type_name("i/n");
+  sweep->footer("Example:\n  flexkey sweep shot.yaml --chunk 2/4 -d out\n");
 
   CLI::App* solve = app.add_subcommand(
       "solve", "Solve a shot into its state, DIR/.flexkey/SHOT/; run again, it goes on where it stopped");
@@ -154,6 +163,11 @@ int main(int argc, char** argv) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(thread_count(options.threads)));
   if (animate->parsed()) return guarded([&] { return run_animate(options); });
+  if (sweep->parsed())
+    return guarded([&] {
+      if (!chunk.empty()) options.chunk = parse_chunk(chunk);
+      return run_sweep(options);
+    });
   if (solve->parsed()) return guarded([&] { return run_solve(options); });
   if (write->parsed()) return guarded([&] { return run_export(options); });
   if (render->parsed()) return guarded([&] { return run_render(options); });

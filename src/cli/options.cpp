@@ -44,6 +44,16 @@ std::vector<int> parse_frames(const std::string& text, int frame_count) {
   return frames_in(ranges);
 }
 
+Chunk parse_chunk(const std::string& text) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const int number = parse_whole(text.substr(0, slash)).value_or(0);
+  const int of = slash < text.size() ? parse_whole(text.substr(slash + 1)).value_or(0) : 0;
+  if (number < 1 || of < number)
+    throw UsageError(
+        fmt::format("--chunk '{}' is not of the form i/n with i from 1 to n, such as 2/4", text));
+  return {static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
+}
+
 int thread_count(int asked) {
   if (asked > 0) return asked;
   if (const char* slurm = std::getenv("SLURM_CPUS_PER_TASK"))

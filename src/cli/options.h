@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,12 @@ class UsageError : public Error {
   using Error::Error;
 };
 
+/// A part of a sweep's runs.
+struct Chunk {
+  std::size_t number = 1;  // from 1
+  std::size_t of = 1;
+};
+
 /// The flags that the commands on a shot share.
 struct ShotOptions {
   std::string shot;                     // a path, or "-" for standard input
@@ -27,6 +34,7 @@ struct ShotOptions {
   bool strict = false;
   std::filesystem::path picture;  // that `check` draws, from the outputs' folder; empty: none
   bool no_solve = false;          // refuse where the shot's state is missing or stale
+  std::optional<Chunk> chunk;     // of the shot's sweep
 
   /// `set`, split at the first '='. Throws UsageError.
   std::vector<Override> overrides() const;
@@ -34,6 +42,9 @@ struct ShotOptions {
 
 /// "0-30,47,60-90x2" as increasing frame numbers, all below frame_count. Throws UsageError.
 std::vector<int> parse_frames(const std::string& text, int frame_count);
+
+/// "2/4", the second of four parts. Throws UsageError.
+Chunk parse_chunk(const std::string& text);
 
 /// Threads to use: `asked` if positive, else SLURM_CPUS_PER_TASK, else every core.
 int thread_count(int asked);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/preview_settings.h"
+#include "cli/sweep_runs.h"
 #include "flexkey/preview/images/draw.h"
 #include "flexkey/preview/images/gif.h"
 #include "flexkey/preview/images/image_file.h"
@@ -79,7 +80,9 @@ void write_gif_of(const Shot& run, const ShotOptions& options) {
 }
 
 void write_sheet_of(const std::vector<const Shot*>& runs, const ShotOptions& options) {
-  const Shot& first = *runs.front();
+  const Shot& first = **std::min_element(runs.begin(), runs.end(), [](const Shot* a, const Shot* b) {
+    return a->frame_count() < b->frame_count();  // every run has its frames
+  });
   const std::vector<int> frames = sheet_frames(first, drawn_frames(first, options));
   if (frames.empty()) return;
   const bool is_sweep = runs.size() > 1;
@@ -96,7 +99,7 @@ void write_sheet_of(const std::vector<const Shot*>& runs, const ShotOptions& opt
     }
   }
   if (is_sweep)
-    for (const Shot* run : runs) sheet.column_labels.push_back(lambda_label(*run, 0));
+    for (const Shot* run : runs) sheet.column_labels.push_back(run_title(run->swept));
   write_picture(draw_sheet(sheet), options.out_dir / first.preview.sheet.path);
 }
 

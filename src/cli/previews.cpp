@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "cli/behind.h"
 #include "cli/interrupt.h"
@@ -58,6 +59,24 @@ RunPictures pictures_of(const Session& session, std::size_t number, const TakeSt
   if (state == nullptr) pictures.spool = std::make_unique<FrameSpool>(report.path, mesh.vertex_count());
   pictures.extent.emplace(camera_settings(run.preview), mesh.positions);
   return pictures;
+}
+
+/// The sheets whose last runs are those of this session, and the runs that share each. Those that runs of
+/// another chunk share are left out.
+std::map<std::string, std::vector<const Shot*>> finished_sheets(const Session& session) {
+  std::set<int> drawn;
+  for (std::size_t family = 0; family <= session.family; ++family)
+    for (const Shot& run : session.timeline.families[family]) drawn.insert(run.run);
+  std::map<std::string, std::vector<const Shot*>> sheets;
+  for (const Shot& run : session.runs)
+    if (!run.preview.sheet.path.empty()) sheets[run.preview.sheet.path];
+  for (const Shot& run : session.timeline.runs) {
+    const auto found = sheets.find(run.preview.sheet.path);
+    if (found == sheets.end()) continue;
+    found->second.push_back(&run);
+    if (!drawn.contains(run.run)) sheets.erase(found);
+  }
+  return sheets;
 }
 
 }  // namespace
@@ -126,15 +145,13 @@ void Previews::Impl::draw_waiting() {
 }
 
 void Previews::Impl::make_files() {
-  std::map<std::string, std::vector<const Shot*>> sheets;
   for (RunPictures& pictures : runs) {
     const PreviewOutput& preview = pictures.of.shot.preview;
-    if (!preview.sheet.path.empty()) sheets[preview.sheet.path].push_back(&pictures.of.shot);
     if (preview.gif.path.empty() || noted_signal() != 0) continue;
     write_gif_of(pictures.of.shot, session.options);
     pictures.report.files.push_back(session.options.out_dir / preview.gif.path);
   }
-  for (const auto& [path, sharing] : sheets) {
+  for (const auto& [path, sharing] : finished_sheets(session)) {
     if (noted_signal() != 0) return;
     write_sheet_of(sharing, session.options);
     runs.back().report.files.push_back(session.options.out_dir / path);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/sweep_runs.h"
+
 namespace flexkey::cli {
 namespace {
 
@@ -179,7 +181,13 @@ std::string poses_text(const RunReport& run) {
   return fmt::format("  poses  {:6.2f} s   {}; {}\n", run.pose_seconds, fmt::join(names, ", "), fate);
 }
 
+json mesh_json(const FamilyReport& family) {
+  return {{"file", family.mesh.string()}, {"vertices", family.vertices}, {"faces", family.faces}};
+}
+
 json run_json(const RunReport& run) {
+  json swept = json::object();
+  for (const SweptValue& value : run.swept) swept[value.key] = value.text;
   json frames = json::array(), written = json::array(), poses = json::array();
   for (const PoseNote& pose : run.poses) poses.push_back(pose_json(pose));
   for (const FrameReport& frame : run.frames) frames.push_back(frame_json(frame));
@@ -188,6 +196,7 @@ json run_json(const RunReport& run) {
   for (const WrittenPage& page : run.pages) written.push_back(page_json(page));
   for (const WrittenPreview& preview : run.previews) written.push_back(preview_json(preview));
   return {
+      {"swept", std::move(swept)},
       {"lambda", {{"first", run.lambda_first}, {"last", run.lambda_last}}},
       {"gap", run.gap ? json(*run.gap) : json()},
       {"frames", run.frames.size()},
@@ -200,6 +209,24 @@ json run_json(const RunReport& run) {
       {"seconds", {{"solve", run.solve_seconds}, {"poses", run.pose_seconds}, {"write", run.write_seconds}}},
       {"outputs", std::move(written)},
       {"frame_reports", std::move(frames)}};
+}
+
+std::string run_text(const RunReport& run) {
+  const double mean =
+      run.frames.empty() ? 0 : static_cast<double>(run.solves()) / static_cast<double>(run.frames.size());
+  std::string text = fmt::format("  solve  {:6.2f} s   {}{:.1f} solves a frame; {}\n", run.solve_seconds,
+                                 before_text(run), mean, convergence_text(run));
+  if (const std::vector<int> slipped = run.slipped(); !slipped.empty())
+    text += fmt::format("  slip   the surface lost a turn that its handles made: {}\n",
+                        frames_text(slipped, run.frames.size(), "slipped"));
+  if (run.gap)
+    text += fmt::format("  loop   ends within {:.2g} % of the diagonal of where it begins\n", 100 * *run.gap);
+  text += poses_text(run);
+  for (const WrittenFile& file : run.written) text += file_text(file, run.write_seconds);
+  for (const WrittenCache& cache : run.caches) text += cache_text(cache);
+  for (const WrittenPage& page : run.pages) text += page_text(page);
+  for (const WrittenPreview& preview : run.previews) text += preview_text(preview);
+  return text;
 }
 
 }  // namespace
@@ -237,43 +264,47 @@ std::vector<std::string> RunReport::unconverged_poses() const {
   return result;
 }
 
-std::string report_json(const LoadedShot& loaded, const std::vector<RunReport>& runs, double load_seconds) {
+FamilyReport family_report(const LoadedShot& loaded, double load_seconds) {
+  return {loaded.shot.name,
+          loaded.shot.file,
+          loaded.hash,
+          loaded.shot.fps,
+          loaded.shot.frame_count(),
+          loaded.mesh_path,
+          loaded.mesh.vertex_count(),
+          loaded.mesh.face_count(),
+          load_seconds,
+          loaded.warnings,
+          {}};
+}
+
+std::string report_json(const std::vector<FamilyReport>& families) {
+  const FamilyReport& first = families.front();
   json list = json::array();
-  for (const RunReport& run : runs) list.push_back(run_json(run));
-  const json report = {{"shot", loaded.shot.name},
-                       {"file", loaded.shot.file},
-                       {"hash", loaded.hash},
-                       {"fps", loaded.shot.fps},
-                       {"mesh",
-                        {{"file", loaded.mesh_path.string()},
-                         {"vertices", loaded.mesh.vertex_count()},
-                         {"faces", loaded.mesh.face_count()}}},
-                       {"seconds", {{"load", load_seconds}}},
-                       {"runs", std::move(list)},
-                       {"warnings", loaded.warnings}};
+  std::vector<std::string> warnings;
+  double load_seconds = 0;
+  for (const FamilyReport& family : families) {
+    load_seconds += family.load_seconds;
+    for (const RunReport& run : family.runs) {
+      list.push_back(run_json(run));
+      list.back().update({{"fps", family.fps}, {"mesh", mesh_json(family)}});
+    }
+    for (const std::string& warning : family.warnings)
+      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+  }
+  const json report = {{"shot", first.shot},       {"file", first.file},
+                       {"hash", first.hash},       {"fps", first.fps},
+                       {"mesh", mesh_json(first)}, {"seconds", {{"load", load_seconds}}},
+                       {"runs", std::move(list)},  {"warnings", warnings}};
   return report.dump(2, ' ', false, json::error_handler_t::replace);
 }
 
-std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& runs, double load_seconds) {
-  std::string text = fmt::format("{}: {} frames of {} vertices\n  load   {:6.2f} s\n", loaded.shot.name,
-                                 loaded.shot.frame_count(), loaded.mesh.vertex_count(), load_seconds);
-  for (const RunReport& run : runs) {
-    if (runs.size() > 1) text += fmt::format("  λ = {:g}\n", run.lambda_first);
-    const double mean =
-        run.frames.empty() ? 0 : static_cast<double>(run.solves()) / static_cast<double>(run.frames.size());
-    text += fmt::format("  solve  {:6.2f} s   {}{:.1f} solves a frame; {}\n", run.solve_seconds,
-                        before_text(run), mean, convergence_text(run));
-    if (const std::vector<int> slipped = run.slipped(); !slipped.empty())
-      text += fmt::format("  slip   the surface lost a turn that its handles made: {}\n",
-                          frames_text(slipped, run.frames.size(), "slipped"));
-    if (run.gap)
-      text +=
-          fmt::format("  loop   ends within {:.2g} % of the diagonal of where it begins\n", 100 * *run.gap);
-    text += poses_text(run);
-    for (const WrittenFile& file : run.written) text += file_text(file, run.write_seconds);
-    for (const WrittenCache& cache : run.caches) text += cache_text(cache);
-    for (const WrittenPage& page : run.pages) text += page_text(page);
-    for (const WrittenPreview& preview : run.previews) text += preview_text(preview);
+std::string report_text(const FamilyReport& family) {
+  std::string text = fmt::format("{}: {} frames of {} vertices\n  load   {:6.2f} s\n", family.shot,
+                                 family.frames, family.vertices, family.load_seconds);
+  for (const RunReport& run : family.runs) {
+    if (const std::string title = run_title(run.swept); !title.empty()) text += fmt::format("  {}\n", title);
+    text += run_text(run);
   }
   return text;
 }

@@ -54,6 +54,7 @@ struct PoseNote {
 
 /// One solve of the shot, one of several in a sweep.
 struct RunReport {
+  std::vector<SweptValue> swept = {};  // of a run of a sweep
   double lambda_first = 0, lambda_last = 0;
   std::vector<FrameReport> frames;  // every solved frame; those of a cycle's first lap have numbers below 0
   std::optional<double> gap;        // of a cycle, see Clip
@@ -73,10 +74,25 @@ struct RunReport {
   std::vector<std::string> unconverged_poses() const;
 };
 
-/// What `animate` did, for `--json` on stdout.
-std::string report_json(const LoadedShot& loaded, const std::vector<RunReport>& runs, double load_seconds);
+/// What a command did with runs that are solved together.
+struct FamilyReport {
+  std::string shot, file, hash;
+  double fps = 24;
+  int frames = 0;
+  std::filesystem::path mesh;
+  int vertices = 0, faces = 0;
+  double load_seconds = 0;
+  std::vector<std::string> warnings;  // whole lines
+  std::vector<RunReport> runs;
+};
 
-/// The same for a person, several lines.
-std::string report_text(const LoadedShot& loaded, const std::vector<RunReport>& runs, double load_seconds);
+/// Without runs yet.
+FamilyReport family_report(const LoadedShot& loaded, double load_seconds);
+
+/// What a command did with all runs of a shot, for scripts.
+std::string report_json(const std::vector<FamilyReport>& families);
+
+/// For a person, several lines.
+std::string report_text(const FamilyReport& family);
 
 }  // namespace flexkey::cli

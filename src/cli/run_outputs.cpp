@@ -16,7 +16,9 @@
 namespace flexkey::cli {
 
 void require_outputs(const Session& session) {
-  const auto& [options, loaded, runs, picked, wanted, scene, seconds] = session;
+  const ShotOptions& options = session.options;
+  const LoadedShot& loaded = session.loaded;
+  const std::vector<Shot>& runs = session.runs;
   const std::vector<std::filesystem::path> paths = plan_outputs(loaded, options, runs);
   check_pose_outputs(loaded, options);
   check_caches(loaded, options, runs);

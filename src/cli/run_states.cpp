@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/build_id.h"
 #include "cli/console.h"
-#include "flexkey/timeline/number.h"
 
 namespace flexkey::cli {
 namespace {
@@ -17,10 +18,15 @@ fs::path folder_of(const Session& session) {
   return session.options.out_dir / ".flexkey" / (is_dots ? fmt::format("_{}", name) : name);
 }
 
-/// Of one run; the runs of a sweep have constant λ.
-fs::path folder_of_run(const fs::path& folder, const Session& session, const Shot& run) {
-  if (session.loaded.shot.sweep.lambda.empty()) return folder;
-  return folder / fmt::format("lambda-{}", number_text(run.lambda.front().value));
+/// Of one run, named by its values, and where that would be too long by their hash.
+fs::path folder_of_run(const fs::path& folder, const Shot& run) {
+  constexpr std::size_t longest = 100;
+  if (run.swept.empty()) return folder;
+  std::string name;
+  for (const SweptValue& value : run.swept)
+    name += fmt::format("{}{}-{}", name.empty() ? "" : "_", value.key, value.text);
+  std::replace(name.begin(), name.end(), '/', '_');
+  return folder / (name.size() > longest ? hash_of({name}) : name);
 }
 
 StateLock lock_for(StateUse use, const fs::path& folder) {
@@ -30,16 +36,29 @@ StateLock lock_for(StateUse use, const fs::path& folder) {
 }  // namespace
 
 RunStates::RunStates(const Session& session, StateUse use)
-    : session_(session), use_(use), folder_(folder_of(session)), lock_(lock_for(use, folder_)) {
-  const bool is_solved_elsewhere = lock_.holds() == StateLock::Holds::nothing;
-  const std::string unusable = fmt::format("the state in '{}': {}", folder_.string(), lock_.fault());
-  if (use_ == StateUse::needed && !is_kept()) throw OutputError(fmt::format("cannot keep {}", unusable));
-  if (use_ == StateUse::helps && !is_kept()) warn(fmt::format("cannot keep {}", unusable));
-  std::error_code ignored;
-  if (use_ == StateUse::trusted && is_solved_elsewhere && fs::exists(folder_ / "lock", ignored))
-    throw OutputError(fmt::format("cannot read {}", unusable));
-  if (!is_solved_elsewhere) open_states();
+    : session_(session), use_(use), folder_(folder_of(session)) {
+  bool is_readable = true, is_warned = false;
+  for (const Shot& run : session_.runs) {
+    const fs::path folder = folder_of_run(folder_, run);
+    const StateLock& lock = locks_.emplace_back(lock_for(use, folder));
+    const std::string unusable = fmt::format("the state in '{}': {}", folder.string(), lock.fault());
+    const bool is_kept = lock.holds() == StateLock::Holds::writing;
+    const bool is_solved_elsewhere = lock.holds() == StateLock::Holds::nothing;
+    if (use_ == StateUse::needed && !is_kept) throw OutputError(fmt::format("cannot keep {}", unusable));
+    if (use_ == StateUse::helps && !is_kept && !is_warned) warn(fmt::format("cannot keep {}", unusable));
+    is_warned = is_warned || !is_kept;
+    std::error_code ignored;
+    if (use_ == StateUse::trusted && is_solved_elsewhere && fs::exists(folder / "lock", ignored))
+      throw OutputError(fmt::format("cannot read {}", unusable));
+    is_readable = is_readable && !is_solved_elsewhere;
+  }
+  if (is_readable) open_states();
   if (use_ == StateUse::trusted) require_all();
+}
+
+bool RunStates::is_kept() const {
+  const auto writes = [](const StateLock& lock) { return lock.holds() == StateLock::Holds::writing; };
+  return !was_given_up_ && std::all_of(locks_.begin(), locks_.end(), writes);
 }
 
 void RunStates::open_states() {
@@ -47,7 +66,7 @@ void RunStates::open_states() {
   for (const Shot& run : session_.runs) {
     const Take take{run, session_.scene};
     states_.push_back(
-        std::make_unique<TakeState>(folder_of_run(folder_, session_, run), take, program, session_.wanted));
+        std::make_unique<TakeState>(folder_of_run(folder_, run), take, program, session_.wanted));
     if (use_ != StateUse::trusted && !session_.options.quiet) announce(states_.size() - 1);
   }
 }

@@ -19,7 +19,8 @@ enum class StateUse {
   trusted  // nothing is solved
 };
 
-/// The state of a shot, in OUT-DIR/.flexkey/SHOT/ under one lock: of each run what is solved of it.
+/// The state of a shot's runs, in OUT-DIR/.flexkey/SHOT/ or, of a sweep, in a folder a run there, each under
+/// its lock: what is solved of them.
 class RunStates {
  public:
   /// Says why what is there does not serve, or that it is gone on with. The session outlives it. Throws
@@ -40,7 +41,7 @@ class RunStates {
   /// Keeps the end of a solve, from which the next goes on. Throws likewise.
   void end(std::size_t run, const Waypoint& waypoint);
   /// Whether what was solved is there for the next command.
-  bool is_kept() const { return lock_.holds() == StateLock::Holds::writing && !was_given_up_; }
+  bool is_kept() const;
 
  private:
   void open_states();
@@ -53,7 +54,7 @@ class RunStates {
   const Session& session_;
   StateUse use_;
   std::filesystem::path folder_;
-  StateLock lock_;
+  std::vector<StateLock> locks_;                    // a run each: parts of a sweep may be solved at once
   std::vector<std::unique_ptr<TakeState>> states_;  // a run each; empty: none can be had
   bool was_given_up_ = false;
 };

@@ -15,7 +15,8 @@ namespace {
 void drop_other_outputs(Shot& shot, Purpose purpose) {
   if (purpose == Purpose::files) shot.preview = {};
   if (purpose != Purpose::pictures) return;
-  if (shot.preview.dir.empty()) shot.preview.dir = preview_folder(shot);  // who asks for pictures gets some
+  if (shot.preview.dir.empty())
+    shot.preview.dir = expand_placeholders(preview_folder(shot), shot);  // who asks for pictures gets some
   shot.gltf = {};
   shot.caches.clear();
   shot.html = {};
@@ -23,18 +24,23 @@ void drop_other_outputs(Shot& shot, Purpose purpose) {
 
 }  // namespace
 
-Session open_session(const ShotOptions& options, Purpose purpose) {
+Session open_session(const ReadTimeline& timeline, std::size_t family, const ShotOptions& options,
+                     Purpose purpose) {
   const Stopwatch watch;
-  Session session{options, load_shot(options), {}, {}, {}};
-  drop_other_outputs(session.loaded.shot, purpose);
-  if (!options.quiet)
-    for (const std::string& warning : session.loaded.warnings) say(fmt::format("{}\n", warning));
-  session.runs = runs_of(session.loaded.shot);
+  Session session{options, timeline, family, load_family(timeline, family, options), {}, {}, {}};
+  session.runs = session.loaded.runs;
+  for (Shot& run : session.runs) drop_other_outputs(run, purpose);
+  session.loaded.shot = session.runs.front();
   session.picked = parse_frames(options.frames, session.loaded.shot.frame_count());
   if (!needs_whole_clip(session.loaded.shot.preview)) session.wanted = session.picked;
   session.scene = bind_loaded(session.loaded.shot, session.loaded, options);
   session.load_seconds = watch.seconds();
   return session;
+}
+
+void say_warnings(const Session& session) {
+  if (session.options.quiet) return;
+  for (const std::string& warning : session.loaded.warnings) say(fmt::format("{}\n", warning));
 }
 
 bool is_picked(const Session& session, int frame) {

@@ -66,6 +66,7 @@ std::vector<RunFrames> frames_of(const Session& session, RunStates& states, cons
   for (std::size_t k = 0; k < batch.count; ++k) {
     RunReport& report = found[k].report;
     report.gap = clips[k].gap;
+    report.swept = takes[k].shot.swept;
     found[k].clip = picked_of(std::move(clips[k]), session);
     report.solve_seconds = watch.seconds() / static_cast<double>(batch.count);
     report.claims_convergence = takes[k].shot.solver.preset != SolverSettings::Preset::paper;

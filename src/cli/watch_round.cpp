@@ -70,30 +70,39 @@ std::string drawn_text(const std::vector<RunReport>& reports) {
 }
 
 /// Solves the shot and draws its drafts. Returns what was done, or nothing where a signal stopped it.
-std::optional<std::string> draft(const ShotOptions& options) {
-  Session session = open_session(options, draws_previews() ? Purpose::pictures : Purpose::files);
-  for (const std::string& warning : session.loaded.warnings) say(fmt::format("{}\n", warning));
-  if (draws_previews()) {
-    make_drafts(session.loaded.shot);
-    session.runs = runs_of(session.loaded.shot);
-    session.wanted = session.picked;
-    require_outputs(session);
+std::optional<std::string> draft(const ReadTimeline& timeline, const ShotOptions& options) {
+  std::vector<RunReport> reports;
+  for (std::size_t family = 0; family < timeline.families.size(); ++family) {
+    Session session =
+        open_session(timeline, family, options, draws_previews() ? Purpose::pictures : Purpose::files);
+    for (const std::string& warning : session.loaded.warnings) say(fmt::format("{}\n", warning));
+    if (draws_previews()) {
+      for (Shot& run : session.runs) make_drafts(run);
+      session.loaded.shot = session.runs.front();
+      session.wanted = session.picked;
+      require_outputs(session);
+    }
+    RunStates states(session, StateUse::helps);
+    note_signals();
+    for (RunReport& report : write_outputs(session, states).reports) reports.push_back(std::move(report));
+    if (noted_signal() != 0) return std::nullopt;
   }
-  RunStates states(session, StateUse::helps);
-  note_signals();
-  const Outcome outcome = write_outputs(session, states);
-  if (noted_signal() != 0) return std::nullopt;
-  const std::string solved = solved_text(outcome.reports);
-  return draws_previews() ? fmt::format("{}, {}", solved, drawn_text(outcome.reports)) : solved;
+  const std::string solved = solved_text(reports);
+  return draws_previews() ? fmt::format("{}, {}", solved, drawn_text(reports)) : solved;
 }
 
 /// Writes what the shot names from what is solved. Returns the paths.
-std::vector<std::string> write_all(const ShotOptions& options) {
-  const Session session = open_session(options, Purpose::all);
-  if (!names_outputs(session.loaded.shot)) return {};
-  require_outputs(session);
-  RunStates states(session, StateUse::helps);
-  return results_of(write_outputs(session, states).reports);
+std::vector<std::string> write_all(const ReadTimeline& timeline, const ShotOptions& options) {
+  std::vector<std::string> written;
+  for (std::size_t family = 0; family < timeline.families.size(); ++family) {
+    const Session session = open_session(timeline, family, options, Purpose::all);
+    if (!names_outputs(session.loaded.shot)) return {};
+    require_outputs(session);
+    RunStates states(session, StateUse::helps);
+    for (std::string& path : results_of(write_outputs(session, states).reports))
+      written.push_back(std::move(path));
+  }
+  return written;
 }
 
 }  // namespace
@@ -102,10 +111,11 @@ int run_round(const ShotOptions& options, const std::string& cause) {
   ShotOptions quiet = options;
   quiet.quiet = true;  // but for the lines here
   const Stopwatch watch;
-  const std::optional<std::string> drafted = draft(quiet);
+  const ReadTimeline timeline = read_shot(quiet);
+  const std::optional<std::string> drafted = draft(timeline, quiet);
   if (!drafted) return stopped_by_signal + noted_signal();
   say_line(fmt::format("{}: {} ({:.2f} s)", cause, *drafted, watch.seconds()));
-  const std::vector<std::string> written = write_all(quiet);
+  const std::vector<std::string> written = write_all(timeline, quiet);
   if (noted_signal() != 0) return stopped_by_signal + noted_signal();
   if (!written.empty())
     say_line(fmt::format("wrote {} ({:.2f} s)", fmt::join(written, ", "), watch.seconds()));

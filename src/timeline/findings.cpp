@@ -1,6 +1,9 @@
 #include "flexkey/timeline/findings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -9,19 +12,17 @@
 namespace flexkey {
 namespace {
 
-auto order(const Diagnostic& d) {
-  return std::tie(d.where.line, d.where.column, d.message);
-}
-
 std::vector<Diagnostic> sorted(std::vector<Diagnostic> diagnostics) {
   std::stable_sort(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::tie(a.where.line, a.where.column) < std::tie(b.where.line, b.where.column);
   });
-  const auto doubles =
-      std::unique(diagnostics.begin(), diagnostics.end(),
-                  [](const Diagnostic& a, const Diagnostic& b) { return order(a) == order(b); });
-  diagnostics.erase(doubles, diagnostics.end());
-  return diagnostics;
+  std::set<std::tuple<int, int, std::string_view>> said;
+  std::vector<Diagnostic> once;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const auto& [line, column] = diagnostic.where;
+    if (said.emplace(line, column, diagnostic.message).second) once.push_back(diagnostic);
+  }
+  return once;
 }
 
 /// A message that stays one short line, whatever text of the file it quotes.
@@ -53,6 +54,17 @@ std::vector<Diagnostic> Findings::errors() const {
 }
 std::vector<Diagnostic> Findings::warnings() const {
   return sorted(warnings_);
+}
+
+void Findings::take(const Findings& others, const Note& note) {
+  const auto noted = [&](Diagnostic diagnostic) {
+    const auto& [line, column] = diagnostic.where;
+    if (!note.text.empty() && line == note.where.line && column == note.where.column)
+      diagnostic.message += fmt::format(" ({})", note.text);
+    return diagnostic;
+  };
+  for (const Diagnostic& error : others.errors_) errors_.push_back(noted(error));
+  for (const Diagnostic& warning : others.warnings_) warnings_.push_back(noted(warning));
 }
 
 bool Findings::proposes(std::size_t known_words) const {

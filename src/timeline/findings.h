@@ -9,12 +9,20 @@
 
 namespace flexkey {
 
+/// What findings at a place say besides; empty: nothing.
+struct Note {
+  Mark where;
+  std::string text;
+};
+
 /// Collects what is wrong with a timeline, so that one reading reports all of it.
 class Findings {
  public:
   void error(Mark where, std::string message);
   void warning(Mark where, std::string message);
   bool has_errors() const { return !errors_.empty(); }
+  /// Those of another reading of the same file.
+  void take(const Findings& others, const Note& note);
 
   /// By position, none twice (an alias makes one mistake appear at each of its uses).
   std::vector<Diagnostic> errors() const;

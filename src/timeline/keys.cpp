@@ -24,7 +24,8 @@ constexpr KeySpec shot[] = {
     {"ease", "the file's default easing"},
     {"solver", "how the surface is solved"},
     {"output", "the files to write"},
-    {"sweep", "values of a key, one run each"},
+    {"sweep",
+     "runs: lists of values by key path, every combination of them, or {csv: file} with a run a line"},
 };
 
 constexpr KeySpec mesh[] = {

@@ -13,16 +13,6 @@
 namespace flexkey {
 namespace {
 
-Node marked(Node node, Mark where) {
-  node.where = where;
-  for (Node& item : node.items) item = marked(std::move(item), where);
-  for (Entry& entry : node.entries) {
-    entry.key.where = where;
-    entry.value = marked(std::move(entry.value), where);
-  }
-  return node;
-}
-
 /// The value's tree; its errors, found at places of the value's own text, all belong to the override.
 std::optional<Node> read_value(const std::string& text, Mark where, Findings& findings) {
   Findings own;
@@ -71,11 +61,26 @@ std::string missing_item(const Node& list, std::string_view path, std::string_vi
 
 }  // namespace
 
+Node marked(Node node, Mark where) {
+  node.where = where;
+  for (Node& item : node.items) item = marked(std::move(item), where);
+  for (Entry& entry : node.entries) {
+    entry.key.where = where;
+    entry.value = marked(std::move(entry.value), where);
+  }
+  return node;
+}
+
 Node with_override(Node root, const Override& change, int number, Findings& findings) {
   const Mark where{0, number};
   std::optional<Node> value = read_value(change.value, where, findings);
-  if (!value) return root;
-  const std::string_view path = change.key_path;
+  if (value) put_value(root, {change.key_path, where}, std::move(*value), findings);
+  return root;
+}
+
+void put_value(Node& root, const KeyPath& key, Node value, Findings& findings) {
+  const auto& [path_text, where] = key;
+  const std::string_view path = path_text;
   Node* place = &root;
   std::size_t at = 0;
   while (at <= path.size()) {
@@ -84,23 +89,22 @@ Node with_override(Node root, const Override& change, int number, Findings& find
     if (place->kind == Node::Kind::scalar) {
       findings.error(where,
                      fmt::format("'{}' is '{}', not a mapping; set '{}' itself", above, place->text, above));
-      return root;
+      return;
     }
     const std::string_view part = first_part(*place, path.substr(at));
     if (part.empty()) {
       findings.error(where, "a key path is keys joined by dots, such as solver.iterations");
-      return root;
+      return;
     }
     Node* child = find_child(*place, part, where);
     if (child == nullptr) {
       findings.error(where, missing_item(*place, above, part));
-      return root;
+      return;
     }
     place = child;
     at += part.size() + 1;
   }
-  *place = std::move(*value);
-  return root;
+  *place = std::move(value);
 }
 
 }  // namespace flexkey

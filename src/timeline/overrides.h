@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "flexkey/timeline/node.h"
 #include "flexkey/timeline/parse.h"
 
@@ -10,5 +12,17 @@ namespace flexkey {
 /// from 0. number: of the override on the command line, from 1; everything that it puts into the tree has the
 /// mark {0, number}.
 Node with_override(Node root, const Override& change, int number, Findings& findings);
+
+/// A key path and where it stands.
+struct KeyPath {
+  std::string text;
+  Mark where;
+};
+
+/// Puts a value into the tree likewise, with the marks that it has.
+void put_value(Node& root, const KeyPath& key, Node value, Findings& findings);
+
+/// The tree with all of it at one place.
+Node marked(Node node, Mark where);
 
 }  // namespace flexkey

@@ -27,6 +27,7 @@
 #include "flexkey/timeline/read_track.h"
 #include "flexkey/timeline/scalar.h"
 #include "flexkey/timeline/source_text.h"
+#include "flexkey/timeline/sweep.h"
 #include "flexkey/timeline/variables.h"
 #include "flexkey/timeline/words.h"
 
@@ -121,7 +122,6 @@ Shot read_contents(const Fields& fields, Scope& scope) {
     shot.preview = std::move(outputs.preview);
   }
   if (const Node* node = fields.value("clips")) shot.clips = read_clips(*node, scope);
-  if (const Node* node = fields.value("sweep")) shot.sweep.lambda = read_sweep(*node, scope);
   return shot;
 }
 
@@ -133,7 +133,13 @@ std::map<std::string, std::string> words_of(const Variables& variables) {
   return words;
 }
 
-Shot read_shot(Node root, const Sources& sources, Findings& findings) {
+/// A run of a sweep, or the only one.
+struct RunOfSweep {
+  std::vector<SweptValue> swept;
+  int number = 0;
+};
+
+Shot read_shot(Node root, const RunOfSweep& run, const Sources& sources, Findings& findings) {
   const std::size_t before = findings.errors().size();
   const Variables variables = put_variables(root, findings);
   if (findings.errors().size() > before) return {};  // a name in place of its value is wrong everywhere
@@ -151,9 +157,35 @@ Shot read_shot(Node root, const Sources& sources, Findings& findings) {
     shot.loop = read_loop(*node, scope);
     check_cycle(shot, node->where, findings);
   }
+  shot.swept = run.swept;
+  shot.run = run.number;
   complete_preview(shot, findings);
-  check_output_paths(shot, findings);
   return shot;
+}
+
+/// Reads one run of a sweep: the timeline with the run's values in it.
+Shot read_run(Node root, const SweepPlan& plan, std::size_t number, const Sources& sources,
+              Findings& findings) {
+  RunOfSweep run{{}, static_cast<int>(number)};
+  for (const auto& [named, where, value] : plan.runs[number]) {
+    put_value(root, {named.key, where}, value, findings);
+    run.swept.push_back(named);
+  }
+  return read_shot(std::move(root), run, sources, findings);
+}
+
+std::vector<Shot> read_runs(Node root, const Sources& sources, Findings& findings) {
+  constexpr std::size_t enough_errors = 100;
+  const SweepPlan plan = take_sweep(root, sources, findings);
+  const bool is_understood = !findings.has_errors();
+  std::vector<Shot> runs;
+  for (std::size_t n = 0; n < plan.runs.size() && findings.errors().size() < enough_errors; ++n) {
+    Findings own;
+    runs.push_back(read_run(root, plan, n, sources, own));
+    if (is_understood) check_output_paths(runs.back(), own);
+    findings.take(own, plan.note_of(n));
+  }
+  return runs;
 }
 
 /// The timeline's tree with its overrides; nothing if there is none to read.
@@ -202,10 +234,16 @@ ParsedShot parse_shot(std::string_view text, const std::string& file, const std:
   Findings findings;
   std::optional<Node> root = read_tree(text, overrides, findings);
   ParsedShot parsed;
-  if (root) parsed.shot = read_shot(std::move(*root), sources, findings);
+  if (root) parsed.runs = read_runs(std::move(*root), sources, findings);
   if (findings.has_errors()) throw TimelineError(file, with_sources(findings.errors(), overrides));
-  parsed.shot.file = file;
-  parsed.shot.name = name_of(file);
+  for (Shot& run : parsed.runs) {
+    run.file = file;
+    run.name = name_of(file);
+  }
+  parsed.shot = parsed.runs.front();
+  for (Shot& run : parsed.runs) expand_output_paths(run);
+  check_runs_apart(parsed.runs, findings);
+  if (findings.has_errors()) throw TimelineError(file, with_sources(findings.errors(), overrides));
   parsed.warnings = with_sources(findings.warnings(), overrides);
   return parsed;
 }

@@ -17,7 +17,9 @@ struct Override {
 };
 
 struct ParsedShot {
-  Shot shot;
+  Shot shot;               // that of the first run, its output paths as they are written
+  std::vector<Shot> runs;  // one, or one a run of the sweep: what the same timeline without `sweep`, with the
+                           // run's values set, would give; their output paths without placeholders
   std::vector<Diagnostic> warnings;  // keys that are known but not built yet, and the like
 };
 
@@ -35,15 +37,11 @@ std::string read_timeline(const std::string& file);
 /// that knows whether the place is in the file or in a `--set`.
 Diagnostic error_at(Mark where, const std::string& message, const std::vector<Override>& overrides);
 
-/// Puts the shot's values for `<shot>` and `<lambda>` into an output path; `<lambda>` only where λ is
-/// constant.
+/// Puts the shot's values into an output path: `<shot>`, `<lambda>` where λ is constant, variables, and of a
+/// run of a sweep `<run>`, its number, and its values by their keys, such as `<solver.iterations>`.
 std::string expand_placeholders(const std::string& path, const Shot& shot);
 
 /// The folder of a shot's pictures where the timeline names none, placeholders and all.
 std::string preview_folder(const Shot& shot);
-
-/// One shot for each value of the sweep (or the shot itself), with λ constant where it is swept, no sweep
-/// left, and the output paths expanded.
-std::vector<Shot> runs_of(const Shot& shot);
 
 }  // namespace flexkey

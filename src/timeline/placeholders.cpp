@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,11 +39,22 @@ std::vector<Piece> pieces_of(std::string_view path) {
   return pieces;
 }
 
+/// A value as a part of a file's name.
+std::string name_part(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '/' || c == '\\'; }, '_');
+  return text;
+}
+
 /// The value of a placeholder in this shot, or nothing.
 std::optional<std::string> value_of(std::string_view placeholder, const Shot& shot) {
-  if (placeholder == "<shot>") return shot.name;
-  if (placeholder == "<lambda>" && shot.lambda.size() == 1) return number_text(shot.lambda.front().value);
-  const auto variable = shot.variables.find(std::string(placeholder.substr(1, placeholder.size() - 2)));
+  const std::string_view name = placeholder.substr(1, placeholder.size() - 2);
+  if (name == "shot") return shot.name;
+  if (name == "run" && !shot.swept.empty()) return fmt::format("{}", shot.run);
+  for (const SweptValue& value : shot.swept)
+    if (value.key == name) return name_part(value.text);
+  if (name == "lambda" && shot.lambda.size() == 1) return number_text(shot.lambda.front().value);
+  const auto variable = shot.variables.find(std::string(name));
   return variable != shot.variables.end() ? std::optional(variable->second) : std::nullopt;
 }
 
@@ -56,6 +67,9 @@ struct PathInFile {
 void report_unknown(std::string_view placeholder, const PathInFile& output, const Shot& shot,
                     Findings& findings) {
   std::vector<std::string> known = {"<shot>", "<lambda>"};
+  for (const SweptValue& value : shot.swept)
+    if (value.key != "lambda") known.push_back(fmt::format("<{}>", value.key));
+  if (!shot.swept.empty()) known.emplace_back("<run>");
   for (const auto& [name, value] : shot.variables) known.push_back(fmt::format("<{}>", name));
   const std::string all =
       fmt::format("; known are {} and {}", fmt::join(known.begin(), known.end() - 1, ", "), known.back());
@@ -63,17 +77,25 @@ void report_unknown(std::string_view placeholder, const PathInFile& output, cons
                                            output.path, findings.proposal(placeholder, known, all)));
 }
 
-bool names_lambda(const std::string& path) {
+bool names(const std::string& path, std::string_view placeholder) {
   const std::vector<Piece> pieces = pieces_of(path);
   return std::any_of(pieces.begin(), pieces.end(),
-                     [](const Piece& piece) { return piece.is_placeholder && piece.text == "<lambda>"; });
+                     [&](const Piece& piece) { return piece.is_placeholder && piece.text == placeholder; });
+}
+
+/// A variable may stand for its key, and the run's number for all.
+bool names_key(const std::string& path, const std::string& key) {
+  constexpr std::string_view variables = "vars.";
+  const bool is_variable = key.starts_with(variables);
+  return names(path, "<run>") || names(path, fmt::format("<{}>", key)) ||
+         (is_variable && names(path, fmt::format("<{}>", key.substr(variables.size()))));
 }
 
 void check_placeholders(const PathInFile& output, const Shot& shot, Findings& findings) {
   for (const Piece& piece : pieces_of(output.path))
     if (piece.is_placeholder && piece.text != "<lambda>" && !value_of(piece.text, shot))
       report_unknown(piece.text, output, shot, findings);
-  if (names_lambda(output.path) && shot.sweep.lambda.empty() && shot.lambda.size() > 1) {
+  if (names(output.path, "<lambda>") && !value_of("<lambda>", shot)) {
     findings.error(output.where,
                    fmt::format("'<lambda>' in output path '{}' has no one value; it needs a constant "
                                "lambda or a sweep over it",
@@ -84,11 +106,12 @@ void check_placeholders(const PathInFile& output, const Shot& shot, Findings& fi
 /// A path of which each run of a sweep needs one of its own.
 void check_output_path(const PathInFile& output, const Shot& shot, Findings& findings) {
   check_placeholders(output, shot, findings);
-  if (shot.sweep.lambda.size() > 1 && !output.path.empty() && !names_lambda(output.path)) {
-    findings.error(
-        output.where,
-        fmt::format("output path '{}' does not name the swept key; write '<lambda>' into it", output.path));
-  }
+  if (output.path.empty()) return;
+  for (const SweptValue& value : shot.swept)
+    if (value.varies && !names_key(output.path, value.key))
+      findings.error(output.where,
+                     fmt::format("output path '{}' does not name the swept key; write '<{}>' into it",
+                                 output.path, value.key));
 }
 
 /// A sequence's pattern for one run. A percent sign in the shot's name does not begin a frame's number.
@@ -123,22 +146,33 @@ std::string expand_placeholders(const std::string& path, const Shot& shot) {
   return expanded;
 }
 
-std::vector<Shot> runs_of(const Shot& shot) {
-  std::vector<Shot> runs(std::max<std::size_t>(1, shot.sweep.lambda.size()), shot);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    Shot& run = runs[i];
-    if (!shot.sweep.lambda.empty()) run.lambda = {{0, shot.sweep.lambda[i], {}}};
-    run.sweep = {};
-    run.gltf.path = expand_placeholders(shot.gltf.path, run);
-    for (CacheOutput& cache : run.caches)
-      cache.path =
-          cache.is_sequence() ? expand_pattern(cache.path, run) : expand_placeholders(cache.path, run);
-    run.html.path = expand_placeholders(shot.html.path, run);
-    run.preview.dir = expand_placeholders(shot.preview.dir, run);
-    run.preview.gif.path = expand_placeholders(shot.preview.gif.path, run);
-    run.preview.sheet.path = expand_placeholders(shot.preview.sheet.path, run);
+void expand_output_paths(Shot& run) {
+  run.gltf.path = expand_placeholders(run.gltf.path, run);
+  for (CacheOutput& cache : run.caches)
+    cache.path = cache.is_sequence() ? expand_pattern(cache.path, run) : expand_placeholders(cache.path, run);
+  run.html.path = expand_placeholders(run.html.path, run);
+  run.preview.dir = expand_placeholders(run.preview.dir, run);
+  run.preview.gif.path = expand_placeholders(run.preview.gif.path, run);
+  run.preview.sheet.path = expand_placeholders(run.preview.sheet.path, run);
+}
+
+void check_runs_apart(const std::vector<Shot>& runs, Findings& findings) {
+  std::map<std::string, int> taken;  // by which run
+  const auto take = [&](const std::string& path, Mark where, const Shot& run) {
+    if (path.empty()) return;
+    const auto [found, is_new] = taken.emplace(path, run.run);
+    if (!is_new && found->second != run.run)
+      findings.error(where, fmt::format("runs {} and {} of the sweep would both write '{}'; write '<run>' "
+                                        "into the path",
+                                        found->second, run.run, path));
+  };
+  for (const Shot& run : runs) {
+    take(run.gltf.path, run.gltf.where, run);
+    for (const CacheOutput& cache : run.caches) take(cache.path, cache.where, run);
+    take(run.html.path, run.html.where, run);
+    take(run.preview.dir, run.preview.where, run);
+    take(run.preview.gif.path, run.preview.gif.where, run);
   }
-  return runs;
 }
 
 }  // namespace flexkey

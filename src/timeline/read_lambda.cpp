@@ -112,31 +112,4 @@ Lambda read_lambda(const Node& node, Scope& scope) {
   return {values_of(read_keys(node, scope.ease, "'lambda'", scope), scope), {}};
 }
 
-std::vector<double> read_sweep(const Node& node, Scope& scope) {
-  if (!is_mapping(node, "'sweep'", "{lambda: [0, 0.5, 1]}", scope.findings)) return {};
-  for (const Entry& entry : node.entries) {
-    if (entry.key.text == "lambda") continue;
-    scope.findings.error(
-        entry.key.where,
-        fmt::format("'{}' cannot be swept; only lambda can be swept in this version", entry.key.text));
-  }
-  const Entry* lambda = node.find("lambda");
-  if (lambda == nullptr) return {};
-  if (lambda->value.kind != Node::Kind::list || lambda->value.items.empty()) {
-    scope.findings.error(lambda->value.where, "a sweep takes a list of values, such as [0, 0.5, 1]");
-    return {};
-  }
-  std::vector<double> values;
-  for (const Node& item : lambda->value.items) {
-    const std::optional<double> value = read_value(item, scope);
-    if (!value) continue;
-    if (std::find(values.begin(), values.end(), *value) != values.end()) {
-      scope.findings.error(item.where, fmt::format("lambda {} is in the sweep twice", number_text(*value)));
-    } else {
-      values.push_back(*value);
-    }
-  }
-  return values;
-}
-
 }  // namespace flexkey

@@ -20,7 +20,4 @@ struct Lambda {
 /// `lambda`: a number, {time: value}, or {keys, ease, regions}.
 Lambda read_lambda(const Node& node, Scope& scope);
 
-/// `sweep`: the values of λ to run, each once. No other key can be swept yet.
-std::vector<double> read_sweep(const Node& node, Scope& scope);
-
 }  // namespace flexkey

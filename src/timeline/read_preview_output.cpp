@@ -216,7 +216,16 @@ PreviewOutput read_preview_output(const Node& node, Scope& scope) {
 }
 
 std::string preview_folder(const Shot& shot) {
-  return shot.sweep.lambda.size() > 1 ? "<shot>_<lambda>/" : std::string(default_preview_dir);
+  constexpr std::size_t most_keys = 3;
+  std::string keys;
+  std::size_t varied = 0;
+  for (const SweptValue& value : shot.swept) {
+    if (!value.varies) continue;
+    keys += fmt::format("_<{}>", value.key);
+    ++varied;
+  }
+  if (varied == 0) return std::string(default_preview_dir);
+  return fmt::format("<shot>{}/", varied > most_keys ? "_<run>" : keys);
 }
 
 void complete_preview(Shot& shot, Findings& findings) {

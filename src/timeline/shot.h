@@ -160,9 +160,11 @@ struct NamedInterval {
   Interval time;
 };
 
-/// A run of the shot for each value of the swept key; empty means one run of the shot as it is.
-struct Sweep {
-  std::vector<double> lambda;
+/// What a run of a sweep gives a key.
+struct SweptValue {
+  std::string key;      // its path, "solver.iterations"
+  std::string text;     // as it stands in the names of outputs
+  bool varies = false;  // other runs have other values
 };
 
 /// How a shot is played again and again.
@@ -193,7 +195,8 @@ struct Shot {
   HtmlOutput html;
   PreviewOutput preview;
   std::vector<NamedInterval> clips;  // an animation each in the GLB; empty: one of the whole shot
-  Sweep sweep;
+  std::vector<SweptValue> swept;     // where it is a run of a sweep
+  int run = 0;                       // and its number there
 
   /// Frame k is at k / fps. A cycle lacks the one at its end, which is frame 0.
   int frame_count() const {

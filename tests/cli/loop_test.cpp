@@ -31,7 +31,11 @@ class LoopedShots : public test::WorkFolder {
     more.insert(more.begin(), {"animate", "shot.yaml", "--set", "loop=" + loop});
     return run(more);
   }
-  std::string frame(int number) const { return read_file(folder() / fmt::format("f/{}.obj", number)); }
+  /// Without its first line, which says its number.
+  std::string frame(int number) const {
+    const std::string obj = read_file(folder() / fmt::format("f/{}.obj", number));
+    return obj.substr(obj.find('\n'));
+  }
   std::size_t frames() const { return names_in("f").size(); }
 };
 
@@ -51,14 +55,14 @@ TEST_F(LoopedShots, ACycleHasAFrameFewerAndSaysHowWellItCloses) {
 TEST_F(LoopedShots, PingPongEndsWithItsFirstFrameWithAndWithoutAState) {
   ASSERT_EQ(animate("ping-pong").exit_code, 0);
   EXPECT_EQ(frames(), 17u);
-  EXPECT_EQ(frame(16), frame(0));
-  EXPECT_EQ(frame(10), frame(6));
-  EXPECT_NE(frame(8), frame(4));
+  EXPECT_TRUE(frame(16) == frame(0));
+  EXPECT_TRUE(frame(10) == frame(6));
+  EXPECT_FALSE(frame(8) == frame(4));
   const std::string cache = read_file(folder() / "bar.pc2");
   fs::remove_all(folder() / ".flexkey");
   write(".flexkey", "in the way of a state");
   ASSERT_EQ(animate("ping-pong").exit_code, 0);
-  EXPECT_EQ(read_file(folder() / "bar.pc2"), cache);
+  EXPECT_TRUE(read_file(folder() / "bar.pc2") == cache);
 }
 
 TEST_F(LoopedShots, AreExportedFromTheirStateAndByPickedFrames) {
@@ -69,7 +73,8 @@ TEST_F(LoopedShots, AreExportedFromTheirStateAndByPickedFrames) {
     const std::string last = frame(7);
     fs::remove_all(folder() / "f");
     ASSERT_EQ(animate(loop, {"--frames", "7", "-d", "other"}).exit_code, 0);
-    EXPECT_EQ(read_file(folder() / "other/f/7.obj"), last);
+    const std::string alone = read_file(folder() / "other/f/7.obj");
+    EXPECT_TRUE(alone.substr(alone.find('\n')) == last);
     fs::remove_all(folder() / "f");
   }
 }

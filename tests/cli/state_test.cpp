@@ -120,7 +120,7 @@ TEST_F(ShotState, OfASweepIsOneARun) {
   solve.insert(solve.end(), sweep.begin(), sweep.end());
   animate.insert(animate.end(), sweep.begin(), sweep.end());
   ASSERT_EQ(run(solve).exit_code, 0);
-  EXPECT_THAT(names_in(state_), ElementsAre("lambda-0", "lambda-0.5", "lambda-1", "lock"));
+  EXPECT_THAT(names_in(state_), ElementsAre("lambda-0", "lambda-0.5", "lambda-1"));
   fs::remove_all(folder() / (state_ + "lambda-0.5"));
   const json runs = json::parse(run(animate).output)["runs"];
   ASSERT_EQ(runs.size(), 3u);

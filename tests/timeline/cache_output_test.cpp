@@ -87,7 +87,7 @@ TEST(CacheOutputs, OfASweepNameTheSweptKey) {
 TEST(CacheOutputs, AreExpandedARun) {
   const std::string text = with_base(
       "sweep: {lambda: [0, 0.5]}\noutput: {cache: <shot>_<lambda>.pc2, frames: <shot>/<lambda>/%04d.obj}\n");
-  const std::vector<Shot> runs = runs_of(parse_shot(text, "50%done.yaml").shot);
+  const std::vector<Shot> runs = parse_shot(text, "50%done.yaml").runs;
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[1].caches.at(0).path, "50%done_0.5.pc2");
   EXPECT_EQ(frame_path(runs[1].caches.at(1).path, 7), "50%done/0.5/0007.obj");

@@ -262,8 +262,6 @@ TEST(Errors, OfLambdaAndSweeps) {
       {with_base("sweep: {lambda: [0, 1, 0.0]}\n"), "4:24: error: lambda 0 is in the sweep twice"},
       {with_base("sweep: {lambda: [0, 2]}\n"),
        "4:21: error: lambda 2 is outside 0..1 (0 smooth, 1 most rigid)"},
-      {with_base("sweep: {fps: [24, 30]}\n"),
-       "4:9: error: 'fps' cannot be swept; only lambda can be swept in this version"},
       {with_base("sweep: {lambda: [0, 1]}\noutput: x.glb\n"),
        "5:9: error: output path 'x.glb' does not name the swept key; write '<lambda>' into it"},
       {with_base("lambda: {0s: 0, 1s: 1}\noutput: x<lambda>.glb\n"),

@@ -24,17 +24,15 @@ TEST(Overrides, MakeMissingMappings) {
 }
 
 TEST(Overrides, TakeYamlValues) {
-  const Shot shot =
-      parse(with_base(""), {{"lambda", "{0s: 0, 2s: 1}"}, {"sweep", ""}, {"sweep", "{lambda: [0, 1]}"}});
-  EXPECT_EQ(shot.lambda.size(), 2u);
-  EXPECT_EQ(shot.sweep.lambda.size(), 2u);
+  EXPECT_EQ(parse(with_base(""), {{"lambda", "{0s: 0, 2s: 1}"}}).lambda.size(), 2u);
+  EXPECT_EQ(runs_of(with_base(""), {{"sweep", ""}, {"sweep", "{lambda: [0, 1]}"}}).size(), 2u);
 }
 
 TEST(Overrides, ReachIntoListsAndKeysWithDots) {
-  const Shot shot = parse(with_base("lambda: {0s: 0, 1.5s: 1}\nsweep: {lambda: [0, 0.2, 1]}\n"),
-                          {{"lambda.1.5s", "0.25"}, {"sweep.lambda.1", "0.3"}});
-  EXPECT_EQ(shot.lambda.at(1).value, 0.25);
-  EXPECT_EQ(shot.sweep.lambda, (std::vector<double>{0, 0.3, 1}));
+  const std::vector<Shot> runs = runs_of(with_base("lambda: {0s: 0, 1.5s: 1}\nsweep: {fps: [24, 30, 60]}\n"),
+                                         {{"lambda.1.5s", "0.25"}, {"sweep.fps.1", "25"}});
+  EXPECT_EQ(runs.at(0).lambda.at(1).value, 0.25);
+  EXPECT_EQ(runs.at(1).fps, 25);
 }
 
 TEST(Overrides, DoNotReachOtherUsesOfAnAnchor) {

@@ -18,6 +18,12 @@ inline Shot parse(const std::string& text, const std::vector<Override>& override
   return parse_shot(text, "shot.yaml", overrides).shot;
 }
 
+/// The runs of a timeline's sweep, or its only one.
+inline std::vector<Shot> runs_of(const std::string& text, const std::vector<Override>& overrides = {},
+                                 const Sources& sources = no_sources()) {
+  return parse_shot(text, "shot.yaml", overrides, sources).runs;
+}
+
 /// A shot whose handle 'tip' has these lines beside its selection; they begin at line 5.
 inline std::string with_tip(const std::string& lines) {
   return "mesh: bar.obj\nhandles:\n  tip:\n    select: {axis: z, above: 99%}\n" + lines;

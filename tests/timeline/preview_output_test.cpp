@@ -151,8 +151,7 @@ TEST(PreviewOutputs, FilesNameTheirKind) {
 
 TEST(PreviewOutputs, OfASweepNeedAFolderEach) {
   const std::string sweep = "sweep: {lambda: [0, 1]}\n";
-  const std::vector<Shot> runs =
-      runs_of(parse(with_preview("{contact_sheet: a.png, gif: a_<lambda>.gif}", sweep)));
+  const std::vector<Shot> runs = runs_of(with_preview("{contact_sheet: a.png, gif: a_<lambda>.gif}", sweep));
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[1].preview.dir, "shot_1/");
   EXPECT_EQ(runs[1].preview.gif.path, "a_1.gif");
@@ -166,7 +165,7 @@ TEST(PreviewOutputs, OfASweepNeedAFolderEach) {
 
 TEST(PreviewOutputs, ExpandTheirPlaceholders) {
   const std::vector<Shot> runs =
-      runs_of(parse(with_preview("{dir: <shot>/p, gif: <shot>.gif, contact_sheet: <lambda>.png}")));
+      runs_of(with_preview("{dir: <shot>/p, gif: <shot>.gif, contact_sheet: <lambda>.png}"));
   EXPECT_EQ(runs[0].preview.dir, "shot/p");
   EXPECT_EQ(runs[0].preview.gif.path, "shot.gif");
   EXPECT_EQ(runs[0].preview.sheet.path, "0.5.png");

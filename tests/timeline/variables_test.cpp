@@ -38,8 +38,8 @@ TEST(Variables, ComeAnewWithSet) {
 }
 
 TEST(Variables, NameOutputs) {
-  const Shot shot = parse(with_base("vars: {size: 0.25, b: [1]}\noutput: x_<size>.glb\n"));
-  EXPECT_EQ(runs_of(shot).at(0).gltf.path, "x_0.25.glb");
+  EXPECT_EQ(runs_of(with_base("vars: {size: 0.25, b: [1]}\noutput: x_<size>.glb\n")).at(0).gltf.path,
+            "x_0.25.glb");
   EXPECT_EQ(errors_of(with_base("vars: {size: 0.25, b: [1]}\noutput: x_<b>.glb\n")),
             "shot.yaml:5:9: error: unknown placeholder '<b>' in output path 'x_<b>.glb'; known are <shot>, "
             "<lambda> and "
