@@ -79,6 +79,7 @@ Shot posed(const Shot& shot, const PoseOutput& pose) {
   hold_first(result.lambda);
   for (LambdaRegion& region : result.regions) hold_first(region.lambda);
   result.duration = (most_frames - 1) / result.fps;
+  result.loop = Loop::none;
   return result;
 }
 

@@ -17,6 +17,8 @@ struct CacheShape {
   double fps = 24;                   // frames a second
   std::vector<int> frames;           // the numbers of the frames to come, increasing, at least one
   std::vector<std::string> handles;  // #handles, names
+  enum class Up { y, z };
+  Up up = Up::y;  // the mesh's upward axis
 };
 
 /// Takes the frames of one clip as they are solved and writes them at once, so that no more than one is in

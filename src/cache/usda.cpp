@@ -81,13 +81,14 @@ std::string opening_text(const CacheShape& shape) {
       "    metersPerUnit = 1\n"
       "    startTimeCode = {}\n"
       "    timeCodesPerSecond = {}\n"
-      "    upAxis = \"Y\"\n"
+      "    upAxis = \"{}\"\n"
       ")\n\n"
       "def Xform \"{}\"\n"
       "{{\n"
       "    def Mesh \"mesh\"\n"
       "    {{\n",
-      name, shape.frames.back(), shape.fps, shape.frames.front(), shape.fps, name);
+      name, shape.frames.back(), shape.fps, shape.frames.front(), shape.fps,
+      shape.up == CacheShape::Up::z ? 'Z' : 'Y', name);
   text += fmt::format("        int[] faceVertexCounts = [{}]\n", fmt::join(corner_counts(shape.mesh), ", "));
   text += fmt::format("        int[] faceVertexIndices = [{}]\n", fmt::join(shape.mesh.corners, ", "));
   text += "        uniform token subdivisionScheme = \"none\"\n";

@@ -104,6 +104,7 @@ std::string_view name_of(Form form) {
 
 CacheShape shape_of(const LoadedShot& loaded, const ShotOptions& options) {
   CacheShape shape{loaded.shot.name, loaded.mesh, loaded.shot.fps, frames_of(loaded, options), {}};
+  if (loaded.shot.mesh.up == UpAxis::z) shape.up = CacheShape::Up::z;
   for (const Handle& handle : loaded.shot.handles) shape.handles.push_back(handle.name);
   return shape;
 }

@@ -5,6 +5,9 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/output_paths.h"
+#include "flexkey/mesh/output_file.h"
+#include "flexkey/timeline/parse.h"
 
 namespace flexkey::cli {
 namespace {
@@ -21,11 +24,41 @@ std::vector<std::string> gltf_warnings(const RunReport& report) {
   return warnings;
 }
 
+/// Beside those of other parts of a sweep where only one is done: "report.2-of-4.json".
+std::filesystem::path report_path(const Session& session) {
+  const std::string& named = session.loaded.shot.report.path;
+  if (named.empty()) return {};
+  std::filesystem::path path = session.options.out_dir / named;
+  const std::optional<Chunk>& chunk = session.options.chunk;
+  if (chunk && chunk->of > 1)
+    path.replace_extension(fmt::format(".{}-of-{}{}", chunk->number, chunk->of, path.extension().string()));
+  return path;
+}
+
+void write_report(const std::filesystem::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
 }  // namespace
+
+void check_report(const Session& session) {
+  const std::filesystem::path path = report_path(session);
+  if (path.empty()) return;
+  if (replaces_input(session.loaded, path))
+    throw TimelineError(
+        session.loaded.shot.file,
+        {error_at(session.loaded.shot.report.where,
+                  fmt::format("the output '{}' would replace an input; give it another name", path.string()),
+                  session.options.overrides())});
+  if (!is_special(path)) OutputFile probe(path);  // made and, uncommitted, removed again
+}
 
 void note(const Session& session, std::vector<RunReport> reports, Doings& doings) {
   FamilyReport& family = doings.families.emplace_back(family_report(session.loaded, session.load_seconds));
   family.runs = std::move(reports);
+  doings.report = report_path(session);
   if (session.options.quiet) return;
   for (const RunReport& report : family.runs)
     for (const std::string& warning : gltf_warnings(report)) say(fmt::format("warning: {}\n", warning));
@@ -33,8 +66,11 @@ void note(const Session& session, std::vector<RunReport> reports, Doings& doings
 }
 
 int conclude(const ShotOptions& options, const Doings& doings) {
+  const std::string text =
+      options.json || !doings.report.empty() ? fmt::format("{}\n", report_json(doings.families)) : "";
+  if (!doings.report.empty()) write_report(doings.report, text);
   if (options.json) {
-    print_result(fmt::format("{}\n", report_json(doings.families)));
+    print_result(text);
   } else if (!options.quiet) {
     for (const std::string& result : doings.results) print_result(fmt::format("{}\n", result));
   }

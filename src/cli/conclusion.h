@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,13 @@ namespace flexkey::cli {
 
 /// What a command has done so far.
 struct Doings {
+  std::filesystem::path report;  // where one is to be written; empty: nowhere
   std::vector<FamilyReport> families;
   std::vector<std::string> results;  // what it made, a path each
 };
+
+/// Refuses a report that could not be written. Throws TimelineError, OutputError.
+void check_report(const Session& session);
 
 /// Adds what was done with a session's runs, and says it to a person.
 void note(const Session& session, std::vector<RunReport> reports, Doings& doings);

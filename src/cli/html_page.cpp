@@ -10,6 +10,7 @@
 
 #include "cli/output_paths.h"
 #include "cli/stopwatch.h"
+#include "cli/upright.h"
 #include "flexkey/animate/handle_states.h"
 #include "flexkey/mesh/output_file.h"
 #include "flexkey/mesh/read_file.h"
@@ -44,9 +45,11 @@ Positions thinned(const Positions& chain) {
   return points;
 }
 
-Positions marks_of(const Scene& scene, const HandleStates& states, std::size_t h) {
-  const Positions targets = targets_of(scene, states, static_cast<int>(h));
-  return scene.handles[h].handle.curve.empty() ? Positions(targets.colwise().mean()) : thinned(targets);
+Positions marks_of(const SolvedRun& run, const HandleStates& states, std::size_t h) {
+  const Positions targets = targets_of(run.scene, states, static_cast<int>(h));
+  const bool is_chain = !run.scene.handles[h].handle.curve.empty();
+  const Positions marks = is_chain ? thinned(targets) : Positions(targets.colwise().mean());
+  return run.shot.mesh.up == UpAxis::z ? upright(marks) : marks;
 }
 
 /// When the named clips begin, as the GLB has them: those that began before its first frame begin with it.
@@ -93,7 +96,7 @@ std::vector<PageHandle> page_handles(const SolvedRun& run) {
     const double time = time_of_frame(shot, report.frame);
     const HandleStates states = sample_states(scene, time);
     for (std::size_t h = 0; h < handles.size(); ++h)
-      handles[h].points.push_back(is_active(scene.handles[h].handle, time) ? marks_of(scene, states, h)
+      handles[h].points.push_back(is_active(scene.handles[h].handle, time) ? marks_of(run, states, h)
                                                                            : Positions(0, 3));
   }
   return handles;

@@ -46,7 +46,7 @@ ImageFormat format_of(PreviewOutput::Format format) {
 }
 
 Up up_of(const PreviewCamera& camera) {
-  return camera.up == PreviewCamera::Up::z ? Up::z : Up::y;
+  return camera.up == UpAxis::z ? Up::z : Up::y;
 }
 
 }  // namespace

@@ -4,12 +4,14 @@
 
 #include <utility>
 
+#include "cli/conclusion.h"
 #include "cli/gltf_options.h"
 #include "cli/html_page.h"
 #include "cli/interrupt.h"
 #include "cli/pose_outputs.h"
 #include "cli/previews.h"
 #include "cli/stopwatch.h"
+#include "cli/upright.h"
 #include "flexkey/gltf/write_glb.h"
 #include "flexkey/mesh/output_file.h"
 
@@ -25,6 +27,7 @@ void require_outputs(const Session& session) {
   check_pages(loaded, options, runs);
   check_previews(loaded, options, runs);
   const Shot& shot = loaded.shot;
+  check_report(session);
   if (paths.empty() && shot.caches.empty() && shot.html.path.empty() && shot.preview.dir.empty())
     throw UsageError(
         fmt::format("{} names no output; add 'output: {}.glb'", loaded.shot.file, loaded.shot.name));
@@ -65,6 +68,7 @@ void RunOutputs::write_clip(RunFrames& frames, std::vector<PoseShape> poses) {
   GltfOptions gltf = gltf_options(run_, session_.loaded);
   gltf.handles = std::move(handles_);
   gltf.poses = std::move(poses);
+  stand_upright(run_.mesh.up, clip, gltf);
   gltf.on_progress = [&](double share) { progress.reach(static_cast<int>(share * count)); };
   if (!run_.gltf.path.empty()) {
     const Stopwatch watch;

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -40,6 +41,13 @@ struct Block {
   Positions normals;    // the node's space; zeros where there are none
 };
 
+/// A custom attribute of one primitive's vertices.
+struct PrimitiveAttribute {
+  std::string name;
+  int first_vertex;
+  Eigen::VectorXd values;
+};
+
 class Builder {
  public:
   Builder(const GltfScene& scene, std::span<const unsigned char> bytes)
@@ -54,7 +62,10 @@ class Builder {
   int add_vertices(const GltfPrimitive& primitive, const SolvedNode& node, const std::string& what);
   int add_faces(const GltfPrimitive& primitive, const SolvedPrimitive& solved, bool mirrored);
   void add_to_group(const std::string& name, int first_face, int count);
+  void note_attributes(const GltfPrimitive& primitive, const SolvedPrimitive& solved,
+                       const std::string& what);
   void close_gaps();
+  void join_attributes();
 
   const GltfScene& scene_;
   AccessorReader reader_;
@@ -63,6 +74,7 @@ class Builder {
   int vertex_count_ = 0;
   std::map<std::pair<int, int>, int> first_vertices_;  // of this node, by accessors of positions and normals
   std::map<std::string, std::size_t> groups_;          // place of each by name
+  std::vector<PrimitiveAttribute> attributes_;
 };
 
 /// Throws for what could not be read, or not be written back with morph targets.
@@ -117,6 +129,7 @@ SolvedPrimitive Builder::add_primitive(const GltfPrimitive& primitive, const Sol
   if (faces == 0)
     result_.file.warnings.push_back(
         fmt::format("{} has no triangles; its vertices move only where they lie on the surface's", what));
+  note_attributes(primitive, solved, what);
   for (const GltfGroup& group : primitive.groups)
     for (std::size_t run = 0; run + 2 <= group.triangles.size(); run += 2) {
       const int first = std::min(group.triangles[run], faces);
@@ -168,6 +181,30 @@ int Builder::add_faces(const GltfPrimitive& primitive, const SolvedPrimitive& so
   return static_cast<int>(triangles.size());
 }
 
+/// Custom attributes of one number a vertex; their names begin with '_' (glTF 2.0 section 3.7.2.1).
+void Builder::note_attributes(const GltfPrimitive& primitive, const SolvedPrimitive& solved,
+                              const std::string& what) {
+  for (const auto& [name, accessor] : primitive.attributes) {
+    if (!name.starts_with('_') || scene_.accessors[index(accessor)].columns != 1) continue;
+    if (reader_.count(accessor) != index(solved.vertex_count))
+      throw InputError(fmt::format("{} has {} positions and {} of '{}'", what, solved.vertex_count,
+                                   reader_.count(accessor), name));
+    attributes_.push_back({name, solved.first_vertex, reader_.rows(accessor, 1).col(0)});
+  }
+}
+
+/// A value a vertex of the whole mesh; NaN where a primitive has none.
+void Builder::join_attributes() {
+  std::map<std::string, Eigen::VectorXd> joined;
+  for (const auto& [name, first, values] : attributes_) {
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    Eigen::VectorXd& all =
+        joined.try_emplace(name, Eigen::VectorXd::Constant(vertex_count_, nothing)).first->second;
+    all.segment(first, values.size()) = values;
+  }
+  for (auto& [name, values] : joined) result_.file.mesh.attributes.push_back({name, std::move(values)});
+}
+
 void Builder::add_to_group(const std::string& name, int first_face, int count) {
   std::vector<Group>& groups = result_.file.mesh.groups;
   const auto [entry, is_new] = groups_.try_emplace(name, groups.size());
@@ -194,6 +231,7 @@ GltfFile Builder::finish() {
     result_.source.normals.middleRows(row, block.normals.rows()) = block.normals;
     row += block.positions.rows();
   }
+  join_attributes();
   close_gaps();
   mesh.materials = scene_.materials;
   for (const GltfAnimation& animation : scene_.animations)

@@ -14,6 +14,12 @@ struct Group {
   std::vector<int> faces;  // face indices, increasing
 };
 
+/// A number a vertex, as glTF's custom attributes have it.
+struct Attribute {
+  std::string name;        // "_MASK"
+  Eigen::VectorXd values;  // #V, NaN where the file says nothing
+};
+
 /// What an OBJ material says that glTF can say too.
 struct Material {
   std::string name;
@@ -49,6 +55,7 @@ struct Mesh {
   std::vector<Material> materials;
   std::vector<int> face_material;  // #F, index of materials or -1; empty where the file has none
   std::vector<Group> groups;
+  std::vector<Attribute> attributes;
 
   std::vector<Crease> creases;  // of the polygons' edges; of one that is there twice the last holds
   std::vector<SharpVertex> sharp_vertices;

@@ -192,6 +192,32 @@ std::vector<int> Selector::take(const SelectBoundary& boundary, Mark where) cons
   return taken;
 }
 
+std::vector<int> Selector::take(const SelectAttribute& attribute, Mark where) const {
+  const std::vector<std::string> names = names_of(surface_.attributes);
+  const auto found = std::find(names.begin(), names.end(), attribute.name);
+  if (found == names.end()) unknown_name(where, "attribute", attribute.name, mesh_name_, names);
+  const Eigen::VectorXd& values = surface_.attributes[index(static_cast<int>(found - names.begin()))].values;
+  const double low = values.minCoeff<Eigen::PropagateNumbers>(),
+               high = values.maxCoeff<Eigen::PropagateNumbers>();
+  const auto threshold = [&](const Length& length) {
+    return length.is_share ? low + length.resolve(high - low) : length.value;
+  };
+  const double rounding = 1e-6 * (high - low);  // of the file's floats
+  std::vector<int> taken;
+  for (int v = 0; v < surface_.vertex_count(); ++v) {
+    const bool is_in = !std::isnan(values[v]) &&
+                       (!attribute.above || values[v] >= threshold(*attribute.above) - rounding) &&
+                       (!attribute.below || values[v] <= threshold(*attribute.below) + rounding);
+    if (is_in) taken.push_back(v);
+  }
+  if (taken.empty())
+    throw SelectionError(where,
+                         fmt::format("the selection takes no vertex; the values of '{}' go from {:.4g} "
+                                     "to {:.4g}",
+                                     attribute.name, low, high));
+  return taken;
+}
+
 std::vector<int> Selector::take(const SelectComponent& component, Mark where) const {
   const Components components = find_components(surface_);
   std::vector<int> taken;

@@ -34,6 +34,7 @@ class Selector {
   std::vector<int> take(const SelectGeodesic& geodesic, Mark where) const;
   std::vector<int> take(const SelectPath& path, Mark where) const;
   std::vector<int> take(const SelectBoundary& boundary, Mark where) const;
+  std::vector<int> take(const SelectAttribute& attribute, Mark where) const;
   std::vector<int> take(const SelectComponent& component, Mark where) const;
   std::vector<int> take(const SelectAny& any, Mark where) const;
   std::vector<int> take(const SelectAll& all, Mark where) const;

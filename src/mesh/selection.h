@@ -69,6 +69,10 @@ struct SelectPath {
 struct SelectBoundary {
   bool all = false;  // false: the longest loop only
 };
+struct SelectAttribute {
+  std::string name;                    // of a custom vertex attribute of a glTF file, "_MASK"
+  std::optional<Length> above, below;  // share: of the range of its values, from the least
+};
 struct SelectComponent {
   int index = 0;  // components are numbered by their lowest vertex
 };
@@ -84,8 +88,8 @@ struct SelectNot {
 
 struct Selection {
   std::variant<SelectVertices, SelectGroup, SelectMaterial, SelectNode, SelectSphere, SelectBox, SelectPlane,
-               SelectAxis, SelectNearest, SelectGeodesic, SelectPath, SelectBoundary, SelectComponent,
-               SelectAny, SelectAll, SelectNot>
+               SelectAxis, SelectNearest, SelectGeodesic, SelectPath, SelectBoundary, SelectAttribute,
+               SelectComponent, SelectAny, SelectAll, SelectNot>
       kind;
   int grow = 0;  // rings of neighbours added last
   Mark where;    // of the value of the kind's key, for messages

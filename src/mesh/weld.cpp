@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 namespace flexkey {
@@ -64,6 +65,16 @@ class Representatives {
   std::unordered_map<Cell, std::vector<Entry>, CellHash> cells_;
 };
 
+/// Of vertices that are one, the value of the first that has any.
+Eigen::VectorXd welded(const Eigen::VectorXd& values, const Weld& weld) {
+  Eigen::VectorXd result =
+      Eigen::VectorXd::Constant(weld.surface.vertex_count(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t v = 0; v < weld.to_surface.size(); ++v)
+    if (double& value = result[weld.to_surface[v]]; std::isnan(value))
+      value = values[static_cast<Eigen::Index>(v)];
+  return result;
+}
+
 }  // namespace
 
 Weld weld(const Mesh& mesh, double distance) {
@@ -95,6 +106,8 @@ Weld weld(const Mesh& mesh, double distance) {
     surface.creases.push_back({to_surface(crease.from), to_surface(crease.to), crease.sharpness});
   for (const SharpVertex& sharp : mesh.sharp_vertices)
     surface.sharp_vertices.push_back({to_surface(sharp.vertex), sharp.sharpness});
+  for (const Attribute& attribute : mesh.attributes)
+    surface.attributes.push_back({attribute.name, welded(attribute.values, result)});
   return result;
 }
 

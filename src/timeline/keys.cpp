@@ -33,7 +33,7 @@ constexpr KeySpec mesh[] = {
     {"nodes", "which nodes of a glTF file are solved, as one surface: names, or all (default)"},
     {"loose", "components that no handle touches: attach (default), hold or error"},
     {"weld", "vertices this near to each other are solved as one; mesh units or % of the diagonal"},
-    {"up", "the file's upward axis, y or z", Built::ignored},
+    {"up", "the file's upward axis, y (default) or z; pictures, pages and GLBs are upright by it"},
 };
 
 constexpr KeySpec handle[] = {
@@ -68,13 +68,15 @@ constexpr KeySpec selection[] = {
     {"box", "between two corners"},
     {"plane", "within a distance of a plane"},
     {"axis", "x, y or z, with above or below"},
-    {"above", "beside axis: lower bound, mesh units or % of the extent along the axis"},
-    {"below", "beside axis: upper bound, mesh units or % of the extent along the axis"},
+    {"above",
+     "beside axis or attribute: lower bound; in mesh units or the attribute's, or % of the extent or its "
+     "range"},
+    {"below", "beside axis or attribute: upper bound, likewise"},
     {"nearest", "the vertex nearest to a point"},
     {"geodesic", "within a radius along the surface"},
     {"path", "an ordered chain of vertices along edges, through points"},
     {"boundary", "the longest boundary loop, or all"},
-    {"attribute", "a vertex attribute, with above or below", Built::refused},
+    {"attribute", "a custom vertex attribute of a glTF file, _NAME, with above or below"},
     {"component", "a connected component, counted from 0 by its lowest vertex"},
     {"any", "vertices in any of a list of selections"},
     {"all", "vertices in all of a list of selections"},
@@ -200,7 +202,7 @@ constexpr KeySpec output[] = {
     {"html", "path of a page that plays the clip in a browser, or a mapping"},
     {"frames", "a file a frame: pattern such as frames/%04d.obj or frames/%04d.npz, or a list of them"},
     {"usd", "the clip as USD: path ending in .usda"},
-    {"report", "a report of the solve", Built::ignored},
+    {"report", "path of a report for scripts, JSON: what --json prints"},
 };
 
 constexpr KeySpec gltf[] = {

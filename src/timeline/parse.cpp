@@ -120,6 +120,7 @@ Shot read_contents(const Fields& fields, Scope& scope) {
     shot.caches = std::move(outputs.caches);
     shot.html = std::move(outputs.html);
     shot.preview = std::move(outputs.preview);
+    shot.report = std::move(outputs.report);
   }
   if (const Node* node = fields.value("clips")) shot.clips = read_clips(*node, scope);
   return shot;

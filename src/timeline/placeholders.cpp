@@ -135,6 +135,7 @@ void check_output_paths(const Shot& shot, Findings& findings) {
   check_output_path({preview.dir, preview.where}, shot, findings);
   check_output_path({preview.gif.path, preview.gif.where}, shot, findings);
   check_placeholders({preview.sheet.path, preview.sheet.where}, shot, findings);  // may hold all runs
+  check_placeholders({shot.report.path, shot.report.where}, shot, findings);      // does
 }
 
 std::string expand_placeholders(const std::string& path, const Shot& shot) {
@@ -154,6 +155,7 @@ void expand_output_paths(Shot& run) {
   run.preview.dir = expand_placeholders(run.preview.dir, run);
   run.preview.gif.path = expand_placeholders(run.preview.gif.path, run);
   run.preview.sheet.path = expand_placeholders(run.preview.sheet.path, run);
+  run.report.path = expand_placeholders(run.report.path, run);
 }
 
 void check_runs_apart(const std::vector<Shot>& runs, Findings& findings) {

@@ -10,6 +10,9 @@
 
 namespace flexkey {
 
+/// The axis that points upwards.
+enum class UpAxis { y, z };
+
 /// Where pictures are taken from. Angles in radians, lengths in mesh units.
 struct PreviewCamera {
   std::optional<Vec3> look_at;
@@ -18,9 +21,8 @@ struct PreviewCamera {
   double fov = 30 * std::numbers::pi / 180;
   double zoom = 1;
   enum class Fit { clip, rest };
-  Fit fit = Fit::clip;  // what the picture holds: all frames, or the mesh at rest
-  enum class Up { y, z };
-  Up up = Up::y;
+  Fit fit = Fit::clip;       // what the picture holds: all frames, or the mesh at rest
+  std::optional<UpAxis> up;  // default the mesh's
 };
 
 /// An animated GIF of the pictures; path is empty where none is asked for.

@@ -70,6 +70,12 @@ void read_nodes(const Node& node, MeshSource& mesh, Scope& scope) {
   }
 }
 
+void read_up(const Node& node, MeshSource& mesh, Scope& scope) {
+  mesh.up = read_word<UpAxis>(node, "up", {{"y", UpAxis::y}, {"z", UpAxis::z}}, scope).value_or(UpAxis::y);
+  if (mesh.up == UpAxis::z && is_gltf(mesh.file))
+    scope.findings.error(node.where, fmt::format("'{}' is glTF, whose upward axis is y", mesh.file));
+}
+
 }  // namespace
 
 MeshSource read_mesh_source(const Node& node, Scope& scope) {
@@ -90,6 +96,7 @@ MeshSource read_mesh_source(const Node& node, Scope& scope) {
                          {{"attach", Loose::attach}, {"hold", Loose::hold}, {"error", Loose::error}}, scope)
             .value_or(Loose::attach);
   }
+  if (const Node* up = fields->value("up")) read_up(*up, mesh, scope);
   if (const Node* weld = fields->value("weld")) mesh.weld = read_distance(*weld, scope).value_or(Length{});
   return mesh;
 }

@@ -6,6 +6,7 @@
 #include "flexkey/timeline/read_cache_output.h"
 #include "flexkey/timeline/read_gltf_output.h"
 #include "flexkey/timeline/read_html_output.h"
+#include "flexkey/timeline/read_path.h"
 #include "flexkey/timeline/read_preview_output.h"
 
 namespace flexkey {
@@ -21,6 +22,8 @@ Outputs read_output(const Node& node, Scope& scope) {
   outputs.caches = read_cache_outputs(*fields, scope);
   if (const Node* html = fields->value("html")) outputs.html = read_html_output(*html, scope);
   if (const Node* preview = fields->value("preview")) outputs.preview = read_preview_output(*preview, scope);
+  if (const Node* report = fields->value("report"))
+    outputs.report = {read_path(*report, "'report'", scope).value_or(""), report->where};
   return outputs;
 }
 

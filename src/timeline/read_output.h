@@ -13,9 +13,11 @@ struct Outputs {
   std::vector<CacheOutput> caches;
   HtmlOutput html;
   PreviewOutput preview;
+  ReportOutput report;
 };
 
-/// `output`: the path of a GLB, or {gltf, cache, frames, usd, html, preview}. What is not named has no path.
+/// `output`: the path of a GLB, or {gltf, cache, frames, usd, html, preview, report}. What is not named has
+/// no path.
 Outputs read_output(const Node& node, Scope& scope);
 
 }  // namespace flexkey

@@ -14,7 +14,6 @@ namespace flexkey {
 namespace {
 
 using Fit = PreviewCamera::Fit;
-using Up = PreviewCamera::Up;
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double rounding = 1e-9;  // degrees
@@ -60,7 +59,7 @@ PreviewCamera read_preview_camera(const Node& node, Scope& scope) {
     camera.fit =
         read_word<Fit>(*value, "fit", {{"clip", Fit::clip}, {"rest", Fit::rest}}, scope).value_or(camera.fit);
   if (const Node* value = fields->value("up"))
-    camera.up = read_word<Up>(*value, "up", {{"y", Up::y}, {"z", Up::z}}, scope).value_or(camera.up);
+    camera.up = read_word<UpAxis>(*value, "up", {{"y", UpAxis::y}, {"z", UpAxis::z}}, scope);
   return camera;
 }
 

@@ -231,6 +231,7 @@ std::string preview_folder(const Shot& shot) {
 void complete_preview(Shot& shot, Findings& findings) {
   PreviewOutput& preview = shot.preview;
   if (preview.dir == default_preview_dir) preview.dir = preview_folder(shot);
+  if (!preview.camera.up) preview.camera.up = shot.mesh.up;
   const int last = shot.frame_count() - 1;
   for (FrameRange& range : preview.frames) {
     if (range.last <= last) continue;

@@ -92,7 +92,7 @@ void check_bounds(const Fields& fields, Scope& scope) {
   for (const Entry* entry : fields.entries()) {
     const std::string& name = entry->key.text;
     if (is_bound(name))
-      scope.findings.error(entry->key.where, fmt::format("'{}' needs 'axis' beside it", name));
+      scope.findings.error(entry->key.where, fmt::format("'{}' needs 'axis' or 'attribute' beside it", name));
   }
 }
 

@@ -116,24 +116,39 @@ std::optional<int> read_axis_letter(const Node& node, Scope& scope) {
   return std::nullopt;
 }
 
-MaybeKind read_axis_kind(const KindNode& kind, Scope& scope) {
-  const std::optional<int> axis = read_axis_letter(kind.value, scope);
+/// `above` and `below` of a kind that has them beside it; whether they can be read, and one is there.
+template <class Bounded>
+bool read_bounds(const KindNode& kind, Bounded& result, Scope& scope) {
   if (kind.fields.lacks("above") && kind.fields.lacks("below")) {
-    scope.findings.error(kind.value.where, "'axis' needs 'above' or 'below' beside it");
+    scope.findings.error(kind.value.where, fmt::format("{} needs 'above' or 'below' beside it", kind.place));
+    return false;
+  }
+  const Node *above = kind.fields.value("above"), *below = kind.fields.value("below");
+  if (above != nullptr) result.above = read_length(*above, scope);
+  if (below != nullptr) result.below = read_length(*below, scope);
+  return (above == nullptr || result.above) && (below == nullptr || result.below);
+}
+
+MaybeKind read_axis_kind(const KindNode& kind, Scope& scope) {
+  SelectAxis result;
+  const std::optional<int> axis = read_axis_letter(kind.value, scope);
+  result.axis = axis.value_or(0);
+  const bool is_bounded = read_bounds(kind, result, scope);
+  return axis && is_bounded ? MaybeKind(result) : std::nullopt;
+}
+
+MaybeKind read_attribute(const KindNode& kind, Scope& scope) {
+  SelectAttribute result;
+  const std::optional<std::string> name = read_name(kind, scope);
+  result.name = name.value_or("");
+  if (name && !name->starts_with('_')) {
+    scope.findings.error(kind.value.where, fmt::format("'{}' is no custom attribute of glTF, whose names "
+                                                       "begin with '_'",
+                                                       *name));
     return std::nullopt;
   }
-  SelectAxis result;
-  result.axis = axis.value_or(0);
-  bool good = axis.has_value();
-  if (const Node* above = kind.fields.value("above")) {
-    result.above = read_length(*above, scope);
-    good = good && result.above.has_value();
-  }
-  if (const Node* below = kind.fields.value("below")) {
-    result.below = read_length(*below, scope);
-    good = good && result.below.has_value();
-  }
-  return good ? MaybeKind(result) : std::nullopt;
+  const bool is_bounded = read_bounds(kind, result, scope);
+  return name && is_bounded ? MaybeKind(result) : std::nullopt;
 }
 
 MaybeKind read_nearest(const KindNode& kind, Scope& scope) {
@@ -177,7 +192,7 @@ struct KindReader {
   MaybeKind (*read)(const KindNode&, Scope&);
 };
 
-constexpr std::array<KindReader, 12> kind_readers = {{
+constexpr std::array<KindReader, 13> kind_readers = {{
     {"vertices", read_vertices},
     {"group", read_group},
     {"material", read_material},
@@ -190,6 +205,7 @@ constexpr std::array<KindReader, 12> kind_readers = {{
     {"geodesic", read_geodesic},
     {"path", read_path},
     {"boundary", read_boundary},
+    {"attribute", read_attribute},
 }};
 
 }  // namespace

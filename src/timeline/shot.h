@@ -105,7 +105,8 @@ struct MeshSource {
   std::vector<NodeName> nodes;  // of a glTF file, to be solved; empty: all of its scene
   enum class Loose { attach, hold, error };
   Loose loose = Loose::attach;  // components that no handle or anchor touches
-  Length weld;                  // vertices at most this far apart are solved as one; share of the diagonal
+  UpAxis up = UpAxis::y;
+  Length weld;  // vertices at most this far apart are solved as one; share of the diagonal
 };
 
 /// A pose of the shot that becomes a morph target.
@@ -146,6 +147,12 @@ struct CacheOutput {
   Mark where;
 
   bool is_sequence() const { return form == Form::obj || form == Form::npz; }
+};
+
+/// What output.report says; path is empty where none is asked for.
+struct ReportOutput {
+  std::string path;  // as the timeline gives it, placeholders and all; one for all runs of a sweep
+  Mark where;
 };
 
 /// What output.html says; path is empty where no page is asked for.
@@ -194,6 +201,7 @@ struct Shot {
   std::vector<CacheOutput> caches;
   HtmlOutput html;
   PreviewOutput preview;
+  ReportOutput report;
   std::vector<NamedInterval> clips;  // an animation each in the GLB; empty: one of the whole shot
   std::vector<SweptValue> swept;     // where it is a run of a sweep
   int run = 0;                       // and its number there

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/work_folder.h"
+#include "flexkey/gltf/read_gltf.h"
+#include "flexkey/mesh/obj.h"
 #include "flexkey/mesh/read_file.h"
 
 namespace flexkey {
@@ -107,18 +109,43 @@ TEST_F(Animate, MoreFramesThanMorphTargetsAreRefusedBeforeTheSolve) {
   EXPECT_EQ(run({"animate", "shot.yaml"}).exit_code, 0) << "compat takes fewer";
 }
 
+TEST_F(Animate, AMeshWhoseUpwardAxisIsZStandsUprightInGltfAndUsd) {
+  write("shot.yaml", test::minimal_shot);
+  for (const std::string up : {"y", "z"})
+    ASSERT_EQ(run({"animate", "shot.yaml", "--set", "mesh={file: bar.obj, up: " + up + "}", "--set",
+                   "output={gltf: {path: bar.glb, handles: true}, html: bar.html, usd: bar.usda}", "-d", up})
+                  .exit_code,
+              0);
+  const Mesh bar = read_obj(folder() / "bar.obj").mesh, lying = read_gltf(folder() / "y/bar.glb").file.mesh,
+             standing = read_gltf(folder() / "z/bar.glb").file.mesh;
+  EXPECT_TRUE(bounds_of(lying.positions).max.isApprox(bounds_of(bar.positions).max, 1e-6));
+  const Bounds up = bounds_of(standing.positions), file = bounds_of(bar.positions);
+  EXPECT_TRUE(up.max.isApprox(Vec3(file.max.x(), file.max.z(), -file.min.y()), 1e-6));
+  EXPECT_TRUE(up.min.isApprox(Vec3(file.min.x(), file.min.z(), -file.max.y()), 1e-6));
+  EXPECT_THAT(read_file(folder() / "y/bar.usda"), HasSubstr("upAxis = \"Y\""));
+  EXPECT_THAT(read_file(folder() / "z/bar.usda"), HasSubstr("upAxis = \"Z\""));
+}
+
+TEST_F(Animate, TheReportIsAFileToo) {
+  write("shot.yaml", test::minimal_shot);
+  const std::string output = "output={gltf: <lambda>.glb, report: <shot>.json}";
+  ASSERT_EQ(run({"animate", "shot.yaml", "--set", output, "--set", "sweep={lambda: [0, 1]}"}).exit_code, 0);
+  const json report = json::parse(read_file(folder() / "shot.json"));
+  ASSERT_EQ(report["runs"].size(), 2u);
+  EXPECT_EQ(report["runs"][1]["outputs"][0]["path"], "./1.glb");
+  EXPECT_EQ(run({"sweep", "shot.yaml", "--set", output, "--set", "sweep={lambda: [0, 1]}", "--chunk", "2/2"})
+                .exit_code,
+            0);
+  EXPECT_EQ(json::parse(read_file(folder() / "shot.2-of-2.json"))["runs"].size(), 1u);
+  EXPECT_THAT(run({"animate", "shot.yaml", "--set", "output={gltf: a.glb, report: shot.yaml}"}).errors,
+              HasSubstr("--set output: error: the output './shot.yaml' would replace an input"));
+}
+
 TEST_F(Animate, AShotWithoutAnOutputIsToldWhatToAdd) {
   write("shot.yaml", "mesh: bar.obj\nhandles: {base: {select: {axis: z, below: 1%}}}\n");
   const ProgramResult result = run({"animate", "shot.yaml"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, HasSubstr("add 'output: shot.glb'"));
-}
-
-TEST_F(Animate, KeysNotBuiltYetWarnAndTheShotRunsOn) {
-  write("shot.yaml", test::minimal_shot);
-  const ProgramResult result = run({"animate", "shot.yaml", "--set", "mesh={file: bar.obj, up: z}"});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr("--set mesh: warning: 'up' is not built yet"));
 }
 
 }  // namespace

@@ -46,6 +46,21 @@ TEST_F(GltfInput, ChecksTheSurfaceWeldedAlongTheSeam) {
   EXPECT_EQ(result.errors, "");
 }
 
+TEST_F(GltfInput, SelectsByACustomAttribute) {
+  GltfBuilder file = meshes::tube_file();
+  std::vector<float> heights;
+  for (const Vec3& point : Tube().points()) heights.push_back(static_cast<float>(point.z()));
+  file.root["meshes"][0]["primitives"][0]["attributes"]["_HEIGHT"] = file.add_accessor(heights, 1);
+  file.save(folder() / "tube.glb");
+  const json report = json::parse(
+      run({"check", "shot.yaml", "--json", "--set", "handles.tip.select={attribute: _HEIGHT, above: 100%}"})
+          .output);
+  EXPECT_EQ(report["handles"][1]["vertices"], 9);
+  EXPECT_THAT(
+      run({"check", "shot.yaml", "--set", "handles.tip.select={attribute: _HIGHT, above: 100%}"}).errors,
+      HasSubstr("no attribute '_HIGHT' in tube.glb; did you mean '_HEIGHT'?"));
+}
+
 TEST_F(GltfInput, AnUnknownNodeIsBlamedOnItsPlace) {
   write("shot.yaml", shot("{file: tube.glb, nodes: [tub]}"));
   const ProgramResult result = run({"check", "shot.yaml"});

@@ -322,6 +322,26 @@ std::vector<int> nodes_of(const GltfFile& file) {
   return nodes;
 }
 
+TEST_F(ReadGltf, ReadsCustomAttributesOfOneNumber) {
+  GltfBuilder file;
+  json masked = add_triangle(file), plain = add_triangle(file);
+  masked["attributes"]["_MASK"] =
+      file.add_accessor(std::vector<std::uint8_t>{0, 51, 255}, 1, {{"normalized", true}});
+  masked["attributes"]["_PAIR"] = file.add_accessor(std::vector<float>{0, 1, 2, 3, 4, 5}, 2);
+  file.add("meshes", {{"primitives", {plain, masked}}});
+  file.add("nodes", {{"mesh", 0}});
+  file.add("scenes", {{"nodes", {0}}});
+  const Mesh mesh = read(file).file.mesh;
+  ASSERT_EQ(mesh.attributes.size(), 1u);
+  EXPECT_EQ(mesh.attributes[0].name, "_MASK");
+  ASSERT_EQ(mesh.attributes[0].values.size(), 6);
+  EXPECT_TRUE(mesh.attributes[0].values.head(3).array().isNaN().all());
+  EXPECT_TRUE(mesh.attributes[0].values.tail(3).isApprox(Vec3(0, 0.2, 1), 1e-6));
+  masked["attributes"]["_MASK"] = file.add_accessor(std::vector<float>{0, 1}, 1);
+  file.root["meshes"][0]["primitives"][1] = masked;
+  EXPECT_THROW(read(file), InputError);
+}
+
 TEST_F(ReadGltf, SolvesAllNodesOrThoseThatAreNamed) {
   const GltfBuilder file = three_nodes();
   EXPECT_THAT(nodes_of(read(file)), ElementsAre(0, 2));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numeric>
 
 #include "support/meshes.h"
@@ -22,6 +23,19 @@ Mesh labelled_grid() {
   mesh.materials = {paint};
   mesh.face_material.assign(16, -1);
   mesh.face_material[15] = 0;
+  return mesh;
+}
+
+/// Two triangles apart, whose last vertex has no value of '_MASK', and a copy of the first vertex that has.
+Mesh masked_triangles() {
+  Mesh mesh;
+  mesh.positions.resize(7, 3);
+  mesh.positions << 0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0, 0, 0, 0;
+  mesh.add_face(std::vector<int>{0, 1, 2});
+  mesh.add_face(std::vector<int>{3, 4, 5});
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  mesh.attributes = {{"_MASK", Eigen::VectorXd(7)}};
+  mesh.attributes[0].values << none, 0.5, 1, 1.5, 2, none, 0;
   return mesh;
 }
 
@@ -45,6 +59,20 @@ class SelectTest : public testing::Test {
 
   const Weld welded_ = weld(labelled_grid());
 };
+
+TEST_F(SelectTest, Attribute) {
+  const Weld welded = weld(masked_triangles());
+  const auto select = [&](std::optional<Length> above, std::optional<Length> below) {
+    return Selector(welded, "pig.glb").select({SelectAttribute{"_MASK", above, below}, 0, {7, 3}});
+  };
+  const Length half{0.5, false}, most{0.75, true};
+  EXPECT_THAT(select(half, {}), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(select({}, half), ElementsAre(0, 1)) << "0 by its copy, and 5 has no value";
+  EXPECT_THAT(select(half, most), ElementsAre(1, 2, 3)) << "up to 75 % of 0..2";
+  EXPECT_THROW(select(Length{3, false}, {}), SelectionError);
+  EXPECT_EQ(error_of(SelectAttribute{"_MASK", half, {}}),
+            "no attribute '_MASK' in grid.obj; it has no attributes");
+}
 
 TEST_F(SelectTest, Vertices) {
   EXPECT_THAT(select(SelectVertices{{{8, 10}, {0, 0}, {9, 9}}}), ElementsAre(0, 8, 9, 10));

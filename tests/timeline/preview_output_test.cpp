@@ -85,7 +85,7 @@ TEST(PreviewOutputs, TakeEveryKey) {
   EXPECT_EQ(preview.camera.fov, 1);
   EXPECT_EQ(preview.camera.zoom, 2);
   EXPECT_EQ(preview.camera.fit, PreviewCamera::Fit::rest);
-  EXPECT_EQ(preview.camera.up, PreviewCamera::Up::z);
+  EXPECT_EQ(preview.camera.up, UpAxis::z);
 }
 
 TEST(PreviewOutputs, MisspeltKeysAndWordsAreAnsweredWithTheNearest) {

@@ -1,4 +1,4 @@
-// Keys that are known but not built yet: one warning each, and the shot runs on.
+// What is built gives no warning.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,25 +7,7 @@
 namespace flexkey {
 namespace {
 
-using testing::ElementsAre;
 using testing::IsEmpty;
-
-std::string ignored(const std::string& place, const std::string& key) {
-  std::string line = "shot.yaml:";
-  return line.append(place).append(": warning: '").append(key).append("' is not built yet and is ignored");
-}
-
-TEST(Warnings, OfMeshAndLambda) {
-  const std::string text =
-      "mesh: {file: a.glb, nodes: all, up: z}\nhandles: {base: {select: {group: a}}}\n"
-      "lambda: {keys: {0s: 1}}\n";
-  EXPECT_THAT(warnings_of(text), ElementsAre(ignored("1:33", "up")));
-}
-
-TEST(Warnings, OfOutputs) {
-  EXPECT_THAT(warnings_of(with_base("output: {gltf: a.glb, preview: p, html: x.html, report: r}\n")),
-              ElementsAre(ignored("4:49", "report")));
-}
 
 TEST(Warnings, AreNotGivenForWhatIsBuilt) {
   EXPECT_THAT(
