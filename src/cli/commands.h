@@ -26,6 +26,9 @@ int run_check(const ShotOptions& options);
 /// or a file that it names changes, until a signal ends it. Returns 128 plus the signal.
 int run_watch(const ShotOptions& options);
 
+/// `flexkey schema`: prints the JSON Schema of timelines. Returns an ExitCode.
+int run_schema();
+
 struct InspectOptions {
   std::string mesh;  // a path
   bool json = false;

@@ -52,14 +52,11 @@ void add_run_options(CLI::App& command, ShotOptions& options) {
 
 /// What is wrong with the command's name, or nothing; flags and no name at all are left to CLI11.
 std::string unknown_command(int argc, char** argv) {
-  const std::vector<std::string> built{"animate", "sweep", "solve",   "export", "render",
-                                       "check",   "watch", "inspect", "init",   "pick"};
-  const std::vector<std::string> planned{"schema"};
+  const std::vector<std::string> built{"animate", "sweep",   "solve", "export", "render", "check",
+                                       "watch",   "inspect", "init",  "pick",   "schema"};
   if (argc < 2 || argv[1][0] == '-') return {};
   const std::string name = argv[1];
   if (std::find(built.begin(), built.end(), name) != built.end()) return {};
-  if (std::find(planned.begin(), planned.end(), name) != planned.end())
-    return fmt::format("the command '{}' is not built yet", name);
   return fmt::format("unknown command '{}'{}", name, did_you_mean(name, built));
 }
 
@@ -149,6 +146,9 @@ int main(int argc, char** argv) {
   pick->add_flag("-q,--quiet", pick_options.quiet, "Print errors only");
   pick->footer("Example:\n  flexkey pick cow.obj -o pick.html\n");
 
+  CLI::App* schema = app.add_subcommand("schema", "Print the JSON Schema of timelines, for editors");
+  schema->footer("Example:\n  flexkey schema > timeline.schema.json\n");
+
   report_failed_writes();
   if (const std::string unknown = unknown_command(argc, argv); !unknown.empty()) {
     say(fmt::format("flexkey: error: {}\n", unknown));
@@ -174,6 +174,7 @@ int main(int argc, char** argv) {
   if (init->parsed()) return guarded([&] { return run_init(init_options); });
   if (watch->parsed()) return guarded([&] { return run_watch(options); });
   if (pick->parsed()) return guarded([&] { return run_pick(pick_options); });
+  if (schema->parsed()) return guarded(run_schema);
   if (inspect->parsed()) return guarded([&] { return run_inspect(inspect_options); });
   return guarded([&] { return run_check(options); });
 }

@@ -60,17 +60,13 @@ std::optional<Fields> read_fields(const Node& node, const MappingSpec& spec, std
   for (const Entry& entry : node.entries) {
     const std::string& name = entry.key.text;
     const KeySpec* known = find_spec(spec, name);
-    if (known != nullptr && known->built == Built::yes && entry.value.kind != Node::Kind::null) {
+    if (known != nullptr && entry.value.kind != Node::Kind::null) {
       entries.push_back(&entry);
       continue;
     }
     meant.push_back(known == nullptr ? meant_by(name, spec) : name);
     if (known == nullptr) {
       report_unknown(entry.key, spec, place, findings);
-    } else if (known->built == Built::ignored) {
-      findings.warning(entry.key.where, fmt::format("'{}' is not built yet and is ignored", name));
-    } else if (known->built == Built::refused) {
-      findings.error(entry.key.where, fmt::format("'{}' is not built yet, and cannot be ignored", name));
     } else {
       findings.error(entry.key.where, fmt::format("'{}' has no value", name));
     }

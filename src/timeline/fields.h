@@ -11,7 +11,7 @@
 
 namespace flexkey {
 
-/// What one mapping of the file says, checked against its table: the built keys that have a value.
+/// What one mapping of the file says, checked against its table: the keys that have a value.
 class Fields {
  public:
   Fields(std::vector<const Entry*> entries, std::vector<std::string> meant)
@@ -22,7 +22,7 @@ class Fields {
   const Entry* find(std::string_view key) const;
   /// The value of a key, or nothing.
   const Node* value(std::string_view key) const;
-  /// Not there, nor present with an error that is reported already (misspelt, without a value, not built).
+  /// Not there, nor present with an error that is reported already (misspelt, without a value).
   bool lacks(std::string_view key) const;
 
  private:
@@ -30,7 +30,7 @@ class Fields {
   std::vector<std::string> meant_;  // keys that stand there wrongly
 };
 
-/// Checks a mapping against its table: unknown keys are errors, keys not built yet warnings. Nothing if the
+/// Checks a mapping against its table: unknown keys are errors. Nothing if the
 /// node is no mapping. place: "handle 'tip'" or "'solver'"; empty at the top level.
 std::optional<Fields> read_fields(const Node& node, const MappingSpec& spec, std::string_view place,
                                   Findings& findings);

@@ -5,22 +5,25 @@
 
 namespace flexkey {
 
-/// Whether this version does what a key asks.
-enum class Built {
-  yes,
-  ignored,  // known, not built yet: one warning, and the shot runs on without it
-  refused,  // known, not built yet, and the shot would mean another thing without it: an error
-};
-
-/// One key of a mapping of the format. The readers and the schema come from the same tables.
+/// One key of a mapping of the format: the readers' keys, and what the schema says of them.
+///
+/// What may stand behind it is one of several forms, joined by '|', and "required" before them:
+///   'word'               that word
+///   number[0,1]          a number, and its range: [ and ] with its ends, ( and ) without; an end may be
+///   missing whole[1,9]           a whole number, likewise {solver}             the mapping of that name;
+///   {track of form}: a track of such values list(form), pair(form), triple(form)   of any, two or three of
+///   them names(form)          a mapping from names to such values keys(form)           values by time,
+///   {time: form} or [{at, value, ease}] text, path, time, angle, length, point, vector, axis, switch, ease,
+///   curve, range, any
 struct KeySpec {
   std::string_view name;
+  std::string_view form;
   std::string_view about;  // one line, with units
-  Built built = Built::yes;
 };
 
 /// A mapping of the format whose keys are fixed.
 struct MappingSpec {
+  std::string_view name;
   std::string_view example;
   std::span<const KeySpec> keys;
 };
@@ -49,6 +52,7 @@ extern const MappingSpec lambda_keys;
 extern const MappingSpec region_keys;  // an item of lambda.regions
 extern const MappingSpec attach_keys;  // an item of attach
 extern const MappingSpec solver_keys;
+extern const MappingSpec sweep_keys;  // besides them any key path
 extern const MappingSpec output_keys;
 extern const MappingSpec gltf_keys;
 extern const MappingSpec file_keys;  // an entry of cache, frames or usd; html
@@ -57,5 +61,8 @@ extern const MappingSpec preview_keys;
 extern const MappingSpec camera_keys;  // of a preview
 extern const MappingSpec gif_keys;
 extern const MappingSpec sheet_keys;
+
+/// Each of them.
+std::span<const MappingSpec* const> all_mappings();
 
 }  // namespace flexkey

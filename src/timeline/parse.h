@@ -20,7 +20,7 @@ struct ParsedShot {
   Shot shot;               // that of the first run, its output paths as they are written
   std::vector<Shot> runs;  // one, or one a run of the sweep: what the same timeline without `sweep`, with the
                            // run's values set, would give; their output paths without placeholders
-  std::vector<Diagnostic> warnings;  // keys that are known but not built yet, and the like
+  std::vector<Diagnostic> warnings;  // what is left out, and the like
 };
 
 /// Reads a timeline. `file` names it in messages and gives the shot its name ("-": "stdin").

@@ -16,8 +16,4 @@ void report_unknown_word(const Node& node, std::string_view what, const std::vec
                                    scope.findings.proposal(node.text, known, "; known are " + list)));
 }
 
-void report_word_not_built(const Node& node, std::string_view what, Scope& scope) {
-  scope.findings.warning(node.where, fmt::format("{} '{}' is not built yet and is ignored", what, node.text));
-}
-
 }  // namespace flexkey

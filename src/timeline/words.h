@@ -14,15 +14,12 @@ namespace flexkey {
 template <class Value>
 struct Word {
   std::string_view name;
-  std::optional<Value> value;  // nothing: known, not built yet
+  Value value;
 };
 
 /// Reports a word that is none of the known ones: "unknown system 'direkt'; did you mean 'direct'?".
 void report_unknown_word(const Node& node, std::string_view what, const std::vector<std::string>& known,
                          Scope& scope);
-
-/// Warns that a word is not built yet and is ignored.
-void report_word_not_built(const Node& node, std::string_view what, Scope& scope);
 
 /// One of a few words. what: "system", for messages.
 template <class Value>
@@ -31,9 +28,7 @@ std::optional<Value> read_word(const Node& node, std::string_view what,
   std::vector<std::string> known;
   for (const Word<Value>& word : words) {
     known.emplace_back(word.name);
-    if (node.kind != Node::Kind::scalar || node.text != word.name) continue;
-    if (!word.value) report_word_not_built(node, what, scope);
-    return word.value;
+    if (node.kind == Node::Kind::scalar && node.text == word.name) return word.value;
   }
   report_unknown_word(node, what, known, scope);
   return std::nullopt;
