@@ -47,10 +47,12 @@ std::string nearest_word(std::string_view word, std::span<const std::string> can
     std::size_t distance = edit_distance(wanted, known);
     // An abbreviation ('leg_hind_l' for 'leg_hind_left') is near however much it leaves out.
     const bool abbreviates = wanted.size() >= 3 && known.starts_with(wanted);
-    if (abbreviates) distance = std::min<std::size_t>(distance, 2);
+    const bool extends = known.size() >= 3 && wanted.starts_with(known);  // 'tangential' for 'tangent'
+    if (abbreviates || extends) distance = std::min<std::size_t>(distance, 2);
     const std::size_t allowed =
-        abbreviates ? 2 : std::max<std::size_t>(1, std::min(wanted.size(), known.size()) / 3);
-    if (distance <= allowed && distance < best_distance) {
+        abbreviates || extends ? 2 : std::max<std::size_t>(1, std::min(wanted.size(), known.size()) / 3);
+    const bool has_in_common = distance < std::max(wanted.size(), known.size());
+    if (has_in_common && distance <= allowed && distance < best_distance) {
       best = candidate;
       best_distance = distance;
     }
