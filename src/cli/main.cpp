@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
   add_run_options(*animate, options);
   animate->footer("Example:\n  flexkey animate timelines/nose.yaml -d out\n");
 
-  std::string chunk;
+  std::string chunk, part;
   CLI::App* sweep =
       app.add_subcommand("sweep", "Solve and write every run of a shot's sweep, or a part of them");
   add_shot_options(*sweep, options);
@@ -101,6 +101,10 @@ int main(int argc, char** argv) {
   add_shot_options(*render, options);
   add_run_options(*render, options);
   render->add_flag("--no-solve", options.no_solve, "Exit 2 instead where the state is missing or stale");
+  render
+      ->add_option("--chunk", part,
+                   "The i-th of n parts of the frames, for several machines: no GIF, no sheet")
+      ->type_name("i/n");
   render->footer("Example:\n  flexkey render timelines/leg.yaml --frames 0,24 -d out\n");
 
   CLI::App* check =
@@ -170,7 +174,11 @@ int main(int argc, char** argv) {
     });
   if (solve->parsed()) return guarded([&] { return run_solve(options); });
   if (write->parsed()) return guarded([&] { return run_export(options); });
-  if (render->parsed()) return guarded([&] { return run_render(options); });
+  if (render->parsed())
+    return guarded([&] {
+      if (!part.empty()) options.part = parse_chunk(part);
+      return run_render(options);
+    });
   if (init->parsed()) return guarded([&] { return run_init(init_options); });
   if (watch->parsed()) return guarded([&] { return run_watch(options); });
   if (pick->parsed()) return guarded([&] { return run_pick(pick_options); });

@@ -54,6 +54,15 @@ Chunk parse_chunk(const std::string& text) {
   return {static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
 }
 
+std::pair<std::ptrdiff_t, std::ptrdiff_t> range_of(const Chunk& chunk, std::size_t count,
+                                                   std::string_view thing) {
+  const std::size_t first = count * (chunk.number - 1) / chunk.of, last = count * chunk.number / chunk.of;
+  if (first == last)
+    throw UsageError(fmt::format("--chunk {}/{}: there is no {} in it; there are {}", chunk.number, chunk.of,
+                                 thing, count));
+  return {static_cast<std::ptrdiff_t>(first), static_cast<std::ptrdiff_t>(last)};
+}
+
 int thread_count(int asked) {
   if (asked > 0) return asked;
   if (const char* slurm = std::getenv("SLURM_CPUS_PER_TASK"))

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "flexkey/mesh/error.h"
@@ -16,7 +18,7 @@ class UsageError : public Error {
   using Error::Error;
 };
 
-/// A part of a sweep's runs.
+/// A part of a sweep's runs, or of a shot's frames.
 struct Chunk {
   std::size_t number = 1;  // from 1
   std::size_t of = 1;
@@ -35,6 +37,7 @@ struct ShotOptions {
   std::filesystem::path picture;  // that `check` draws, from the outputs' folder; empty: none
   bool no_solve = false;          // refuse where the shot's state is missing or stale
   std::optional<Chunk> chunk;     // of the shot's sweep
+  std::optional<Chunk> part;      // of the frames
 
   /// `set`, split at the first '='. Throws UsageError.
   std::vector<Override> overrides() const;
@@ -45,6 +48,11 @@ std::vector<int> parse_frames(const std::string& text, int frame_count);
 
 /// "2/4", the second of four parts. Throws UsageError.
 Chunk parse_chunk(const std::string& text);
+
+/// Where the chunk of so many things in a row begins, and where it ends. Throws UsageError if it has none of
+/// them.
+std::pair<std::ptrdiff_t, std::ptrdiff_t> range_of(const Chunk& chunk, std::size_t count,
+                                                   std::string_view thing);
 
 /// Threads to use: `asked` if positive, else SLURM_CPUS_PER_TASK, else every core.
 int thread_count(int asked);

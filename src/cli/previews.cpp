@@ -145,6 +145,7 @@ void Previews::Impl::draw_waiting() {
 }
 
 void Previews::Impl::make_files() {
+  if (session.options.part) return;  // whoever draws all frames makes them of these too
   for (RunPictures& pictures : runs) {
     const PreviewOutput& preview = pictures.of.shot.preview;
     if (preview.gif.path.empty() || noted_signal() != 0) continue;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "cli/console.h"
 #include "cli/stopwatch.h"
@@ -22,6 +23,18 @@ void drop_other_outputs(Shot& shot, Purpose purpose) {
   shot.html = {};
 }
 
+/// Increasing; empty: all.
+std::vector<int> picked_frames(const ShotOptions& options, int frame_count) {
+  std::vector<int> frames = parse_frames(options.frames, frame_count);
+  if (!options.part) return frames;
+  if (frames.empty()) {
+    frames.resize(static_cast<std::size_t>(frame_count));
+    std::iota(frames.begin(), frames.end(), 0);
+  }
+  const auto [first, last] = range_of(*options.part, frames.size(), "frame");
+  return {frames.begin() + first, frames.begin() + last};
+}
+
 }  // namespace
 
 Session open_session(const ReadTimeline& timeline, std::size_t family, const ShotOptions& options,
@@ -31,7 +44,7 @@ Session open_session(const ReadTimeline& timeline, std::size_t family, const Sho
   session.runs = session.loaded.runs;
   for (Shot& run : session.runs) drop_other_outputs(run, purpose);
   session.loaded.shot = session.runs.front();
-  session.picked = parse_frames(options.frames, session.loaded.shot.frame_count());
+  session.picked = picked_frames(options, session.loaded.shot.frame_count());
   if (!needs_whole_clip(session.loaded.shot.preview)) session.wanted = session.picked;
   session.scene = bind_loaded(session.loaded.shot, session.loaded, options);
   session.load_seconds = watch.seconds();

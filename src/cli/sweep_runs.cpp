@@ -25,12 +25,7 @@ std::string family_name(const Shot& run, bool has_regions) {
 }  // namespace
 
 std::vector<Shot> runs_of_chunk(const Chunk& chunk, const std::vector<Shot>& runs) {
-  const std::size_t count = runs.size();
-  const auto first = static_cast<std::ptrdiff_t>(count * (chunk.number - 1) / chunk.of);
-  const auto last = static_cast<std::ptrdiff_t>(count * chunk.number / chunk.of);
-  if (first == last)
-    throw UsageError(
-        fmt::format("--chunk {}/{}: there is no run in it; the sweep has {}", chunk.number, chunk.of, count));
+  const auto [first, last] = range_of(chunk, runs.size(), "run");
   return {runs.begin() + first, runs.begin() + last};
 }
 

@@ -56,5 +56,19 @@ TEST(Threads, HonourSlurm) {
   unsetenv("SLURM_CPUS_PER_TASK");
 }
 
+TEST(Options, ChunksShareOutARowWithoutGapOrOverlap) {
+  for (const std::size_t count : {7u, 8u, 100u})
+    for (const std::size_t of : {1u, 3u, 7u}) {
+      std::ptrdiff_t end = 0;
+      for (std::size_t number = 1; number <= of; ++number) {
+        const auto [first, last] = range_of({number, of}, count, "frame");
+        EXPECT_EQ(first, end);
+        end = last;
+      }
+      EXPECT_EQ(end, static_cast<std::ptrdiff_t>(count));
+    }
+  EXPECT_THROW(range_of({1, 9}, 8, "frame"), UsageError);
+}
+
 }  // namespace
 }  // namespace flexkey::cli

@@ -62,7 +62,7 @@ TEST_F(SweptShots, APartMakesNoOtherFile) {
   ASSERT_EQ(run({"sweep", "shot.yaml", "-d", "out", "--chunk", "1/4"}).exit_code, 0);
   EXPECT_THAT(names_in("out"), ElementsAre(".flexkey", "0.2_30deg.pc2"));
   EXPECT_THAT(run({"sweep", "shot.yaml", "--chunk", "1/9"}).errors,
-              HasSubstr("--chunk 1/9: there is no run in it; the sweep has 4"));
+              HasSubstr("--chunk 1/9: there is no run in it; there are 4"));
   for (const std::string chunk : {"0/4", "5/4", "x", "1/", "1"})
     EXPECT_EQ(run({"sweep", "shot.yaml", "--chunk", chunk}).exit_code, 2) << chunk;
   EXPECT_THAT(run({"sweep", "alone.yaml"}).errors, HasSubstr("alone.yaml has no 'sweep'"));
