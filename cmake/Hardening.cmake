@@ -1,9 +1,8 @@
 # What a program that reads strangers' files should have: position-independent code, tables that are read-only once
-# it runs, guarded stacks and checked copies; and no folder of the builder's in its bytes.
+# it runs, guarded stacks and checked copies.
 include(CheckPIESupported)
 check_pie_supported()
-target_compile_options(flexkey_build INTERFACE -fstack-protector-strong
-  -ffile-prefix-map=${PROJECT_BINARY_DIR}=build -ffile-prefix-map=${PROJECT_SOURCE_DIR}=flexkey)
+target_compile_options(flexkey_build INTERFACE -fstack-protector-strong)
 if(NOT FLEXKEY_SANITIZE)
   target_compile_options(flexkey_build INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-U_FORTIFY_SOURCE>
     $<$<CONFIG:Release,RelWithDebInfo>:-D_FORTIFY_SOURCE=2>)
