@@ -56,4 +56,14 @@ struct InitOptions {
 /// `flexkey init`: writes a first timeline for a mesh. Returns an ExitCode.
 int run_init(const InitOptions& options);
 
+struct CompletionOptions {
+  std::string shell;  // "bash", "zsh" or "fish"
+};
+
+/// `flexkey completion`: prints the script with which a shell completes. Returns an ExitCode.
+int run_completion(const CompletionOptions& options);
+
+/// `flexkey man`: prints the man page. Returns an ExitCode.
+int run_man();
+
 }  // namespace flexkey::cli
