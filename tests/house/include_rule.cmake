@@ -9,6 +9,7 @@ set(gltf_may "mesh;gltf;animate/clip.h")
 set(html_may "mesh;html;animate/clip.h")
 set(preview_may "mesh;preview;animate/clip.h")
 set(cli_may "mesh;timeline;deform;animate;cache;gltf;html;preview;cli")
+set(python_may "mesh;timeline;deform;animate;cache;gltf;html;cli;python")
 
 # Third-party headers by the one stage whose .cpp files may name them.
 set(third_party
@@ -16,7 +17,7 @@ set(third_party
   "tiny_gltf=gltf" "meshoptimizer=gltf" "opensubdiv/=preview" "embree=preview" "OpenImageIO=preview"
   "gif_lib=preview" "webp/=preview" "ft2build=preview" "CLI/=cli" "xxhash=animate|cli"
   "zip\\.h=cache"
-  "nlohmann=gltf|html|cli" "fmt/=mesh|timeline|deform|animate|cache|gltf|html|preview|cli")
+  "nlohmann=gltf|html|cli" "fmt/=mesh|timeline|deform|animate|cache|gltf|html|preview|cli|python" "pybind11/=python")
 
 set(broken "")
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/*.h ${SOURCE}/*.cpp)
@@ -32,7 +33,7 @@ foreach(file IN LISTS files)
   endif()
   file(STRINGS ${SOURCE}/${file} includes REGEX "^ *# *include")
   foreach(line IN LISTS includes)
-    if(line MATCHES "[\"<](flexkey/)?((mesh|timeline|deform|animate|cache|gltf|html|preview|cli)/[^\">]+)")
+    if(line MATCHES "[\"<](flexkey/)?((mesh|timeline|deform|animate|cache|gltf|html|preview|cli|python)/[^\">]+)")
       set(header ${CMAKE_MATCH_2})
       set(used ${CMAKE_MATCH_3})
       if(NOT used IN_LIST ${stage}_may AND NOT header IN_LIST ${stage}_may)
