@@ -24,7 +24,7 @@ std::unique_ptr<const Checkpoint> read_checkpoint(const std::filesystem::path& p
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return nullptr;
   auto checkpoint = std::make_unique<Checkpoint>();
-  checkpoint->file = read_file(path);
+  checkpoint->file = read_file(path, limits::checkpoint_bytes);
   const auto contents = unseal(std::as_bytes(std::span(checkpoint->file)));
   if (!contents) return nullptr;
   Loading loading(*contents);

@@ -12,13 +12,11 @@
 
 #include "flexkey/gltf/primitive_faces.h"
 #include "flexkey/gltf/read_accessor.h"
+#include "flexkey/mesh/limits.h"
 #include "flexkey/mesh/weld.h"
 
 namespace flexkey {
 namespace {
-
-// Nodes may show one mesh many times over, so that a small file could ask for all memory.
-constexpr std::size_t kMostVertices = 20'000'000, kMostCorners = 6 * kMostVertices;
 
 // A share of the diagonal: positions are floats, which round by some 1e-7 in each node's own space.
 constexpr double kNodeGap = 1e-6;
@@ -71,6 +69,8 @@ class Builder {
   AccessorReader reader_;
   GltfFile result_;
   std::vector<Block> blocks_;
+  limits::MeshSize most_;
+  std::size_t group_faces_ = 0;
   int vertex_count_ = 0;
   std::map<std::pair<int, int>, int> first_vertices_;  // of this node, by accessors of positions and normals
   std::map<std::string, std::size_t> groups_;          // place of each by name
@@ -142,8 +142,9 @@ int Builder::add_vertices(const GltfPrimitive& primitive, const SolvedNode& node
   const int position = find(primitive.attributes, "POSITION"), normal = find(primitive.attributes, "NORMAL");
   const auto [entry, is_new] = first_vertices_.try_emplace({position, normal}, vertex_count_);
   if (!is_new) return entry->second;
-  if (reader_.count(position) > kMostVertices - index(vertex_count_))
-    throw InputError(fmt::format("its nodes have more than {} vertices", kMostVertices));
+  // Nodes may show one mesh many times over, so that a small file could ask for all memory.
+  if (reader_.count(position) > most_.vertices - index(vertex_count_))
+    throw InputError(fmt::format("its nodes have {}", limits::more_than(most_.vertices, "vertices")));
 
   const AccessorRows rows = reader_.rows(position, 3);
   const Eigen::Matrix3d linear = node.world.topLeftCorner<3, 3>();
@@ -165,8 +166,8 @@ int Builder::add_faces(const GltfPrimitive& primitive, const SolvedPrimitive& so
   Mesh& mesh = result_.file.mesh;
   const std::size_t corner_count =
       primitive.indices < 0 ? index(solved.vertex_count) : reader_.count(primitive.indices);
-  if (corner_count > kMostCorners - std::min(mesh.corners.size(), kMostCorners))
-    throw InputError(fmt::format("its nodes have more than {} corners", kMostCorners));
+  if (corner_count > most_.corners - std::min(mesh.corners.size(), most_.corners))
+    throw InputError(fmt::format("its nodes have {}", limits::more_than(most_.corners, "corners")));
   std::vector<int> corners(index(solved.vertex_count));
   std::iota(corners.begin(), corners.end(), 0);
   if (primitive.indices >= 0) corners = reader_.indices(primitive.indices, index(solved.vertex_count));
@@ -209,6 +210,9 @@ void Builder::add_to_group(const std::string& name, int first_face, int count) {
   std::vector<Group>& groups = result_.file.mesh.groups;
   const auto [entry, is_new] = groups_.try_emplace(name, groups.size());
   if (is_new) groups.push_back({name, {}});
+  if (index(count) > most_.group_faces - group_faces_)
+    throw InputError(fmt::format("its groups have {}", limits::more_than(most_.group_faces, "faces")));
+  group_faces_ += index(count);
   for (int face = first_face; face < first_face + count; ++face) groups[entry->second].faces.push_back(face);
 }
 

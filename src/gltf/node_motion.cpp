@@ -174,7 +174,11 @@ std::vector<NodeSample> parse(const std::string& file, const std::filesystem::pa
 }  // namespace
 
 std::vector<NodeSample> read_node_motion(const std::filesystem::path& path, const std::string& node) {
-  const std::string file = read_file(path);
+  return parse_node_motion(read_file(path), path, node);
+}
+
+std::vector<NodeSample> parse_node_motion(const std::string& file, const std::filesystem::path& path,
+                                          const std::string& node) {
   try {
     return parse(file, path, node);
   } catch (const InputError& error) {

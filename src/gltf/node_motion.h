@@ -23,4 +23,9 @@ struct NodeSample {
 /// moves it.
 std::vector<NodeSample> read_node_motion(const std::filesystem::path& path, const std::string& node);
 
+/// The same from the file's bytes; `path` stands in messages, and what the file names is looked for beside
+/// it.
+std::vector<NodeSample> parse_node_motion(const std::string& file, const std::filesystem::path& path,
+                                          const std::string& node);
+
 }  // namespace flexkey

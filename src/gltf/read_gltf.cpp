@@ -30,7 +30,11 @@ GltfFile parse(const std::string& file, const std::filesystem::path& path,
 }  // namespace
 
 GltfFile read_gltf(const std::filesystem::path& path, const std::vector<std::string>& names) {
-  const std::string file = read_file(path);
+  return parse_gltf(read_file(path), path, names);
+}
+
+GltfFile parse_gltf(const std::string& file, const std::filesystem::path& path,
+                    const std::vector<std::string>& names) {
   try {
     return parse(file, path, names);
   } catch (const UnknownNodeError&) {

@@ -62,4 +62,9 @@ class UnknownNodeError : public InputError {
 /// Throws InputError with the file's name and the thing that is wrong, UnknownNodeError for a name.
 GltfFile read_gltf(const std::filesystem::path& path, const std::vector<std::string>& names = {});
 
+/// The same from the file's bytes; `path` stands in messages, and what the file names is looked for beside
+/// it.
+GltfFile parse_gltf(const std::string& file, const std::filesystem::path& path,
+                    const std::vector<std::string>& names = {});
+
 }  // namespace flexkey

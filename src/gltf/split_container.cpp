@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "flexkey/mesh/error.h"
+#include "flexkey/mesh/limits.h"
 
 namespace flexkey {
 namespace {
@@ -17,9 +18,6 @@ using nlohmann::json;
 constexpr std::string_view kMagic = "glTF";
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
-
-// What comes after recurses into the values, so that a file of brackets alone would exhaust the stack.
-constexpr int kDeepest = 100;
 
 std::uint32_t word_at(std::string_view file, std::size_t offset) {
   std::uint32_t word = 0;
@@ -91,8 +89,8 @@ int depth_of(std::string_view text) {
 }
 
 void check_json(const std::string& text) {
-  if (depth_of(text) > kDeepest)
-    throw InputError(fmt::format("its JSON is nested more than {} deep", kDeepest));
+  if (depth_of(text) > limits::json_depth)
+    throw InputError(fmt::format("its JSON is nested more than {} deep", limits::json_depth));
   json root;
   try {
     root = json::parse(text);

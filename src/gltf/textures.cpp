@@ -8,11 +8,10 @@
 #include <span>
 
 #include "flexkey/gltf/utf8.h"
+#include "flexkey/mesh/limits.h"
 
 namespace flexkey {
 namespace {
-
-constexpr std::uintmax_t kMostBytes = 512u << 20;
 
 std::string mime_type_of(std::span<const std::byte> bytes) {
   const auto starts_with = [&](std::string_view magic) {
@@ -42,7 +41,8 @@ Reading read_texture(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {{}, "there is no such file"};
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size > kMostBytes) return {{}, "it is larger than 512 MiB"};
+  if (error || size > limits::texture_bytes)
+    return {{}, fmt::format("it is larger than {} MiB", limits::texture_bytes >> 20)};
   Texture texture{valid_utf8(path.stem().string()), "", std::vector<std::byte>(size)};
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(texture.bytes.data()), static_cast<std::streamsize>(size));

@@ -11,8 +11,8 @@
 
 namespace flexkey {
 
-std::vector<Material> read_mtl(const std::filesystem::path& path) {
-  std::istringstream text(read_file(path));
+std::vector<Material> parse_mtl(const std::string& bytes) {
+  std::istringstream text(bytes);
   std::map<std::string, int> index_by_name;
   std::vector<tinyobj::material_t> parsed;
   std::string warning, error;
@@ -30,6 +30,10 @@ std::vector<Material> read_mtl(const std::filesystem::path& path) {
     materials.push_back(std::move(material));
   }
   return materials;
+}
+
+std::vector<Material> read_mtl(const std::filesystem::path& path) {
+  return parse_mtl(read_file(path));
 }
 
 }  // namespace flexkey

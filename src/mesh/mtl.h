@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "flexkey/mesh/mesh.h"
@@ -9,5 +10,8 @@ namespace flexkey {
 
 /// The materials of an MTL library: diffuse colour, opacity and colour texture. Throws InputError.
 std::vector<Material> read_mtl(const std::filesystem::path& path);
+
+/// The same from a text.
+std::vector<Material> parse_mtl(const std::string& bytes);
 
 }  // namespace flexkey

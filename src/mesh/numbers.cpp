@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "flexkey/mesh/limits.h"
+
 namespace flexkey {
 namespace {
 
@@ -26,9 +28,9 @@ std::optional<long long> whole_number_of(std::string_view word) {
 }
 
 std::string_view coordinate_fault(std::optional<double> value) {
-  constexpr double largest = 1e30;  // its square and a sum of many are still numbers
   if (!value || !std::isfinite(*value)) return "which is not a finite number";
-  return std::abs(*value) > largest ? "beyond ±1e30" : "";
+  static_assert(limits::coordinate == 1e30);
+  return std::abs(*value) > limits::coordinate ? "beyond ±1e30" : "";
 }
 
 }  // namespace flexkey

@@ -4,7 +4,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -29,8 +28,8 @@ bool is_file(const std::filesystem::path& path) {
 // its materials, with their many options, are left to that library (mtl.h).
 class ObjParser {
  public:
-  ObjParser(std::string name, std::filesystem::path folder)
-      : name_(std::move(name)), folder_(std::move(folder)), tags_(name_) {}
+  ObjParser(std::string name, std::filesystem::path folder, const limits::MeshSize& most)
+      : name_(std::move(name)), folder_(std::move(folder)), most_(most), tags_(name_) {}
 
   void read(std::string_view text);
   MeshFile finish();
@@ -54,6 +53,7 @@ class ObjParser {
 
   std::string name_;
   std::filesystem::path folder_;
+  limits::MeshSize most_;
   int line_ = 0;
   std::string_view left_;  // of the current line
 
@@ -61,6 +61,7 @@ class ObjParser {
   std::vector<double> positions_, texcoords_;
   std::map<std::string, int, std::less<>> group_by_name_, material_by_name_;
   std::vector<int> object_groups_, open_groups_;  // of the last `o` and the last `g`
+  std::size_t group_faces_ = 0;
   int open_material_ = -1;
   std::vector<int> corners_, corner_texcoords_;  // of the face being read
   ObjTags tags_;
@@ -142,12 +143,13 @@ double ObjParser::next_number(std::string_view what) {
 }
 
 void ObjParser::read_vertex() {
-  if (positions_.size() / 3 >= std::numeric_limits<int>::max()) fail("too many vertices");
+  if (positions_.size() / 3 >= most_.vertices) fail(limits::more_than(most_.vertices, "vertices"));
   const std::string what = fmt::format("vertex {}", positions_.size() / 3);
   for (int k = 0; k < 3; ++k) positions_.push_back(next_number(what));
 }
 
 void ObjParser::read_texcoord() {
+  if (texcoords_.size() / 2 >= most_.corners) fail(limits::more_than(most_.corners, "texture coordinates"));
   const std::string what = fmt::format("texture coordinate {}", texcoords_.size() / 2);
   const double u = next_number(what);
   const double v = number_of(next_word()).value_or(0);  // a 1D texture gives u alone
@@ -184,6 +186,9 @@ void ObjParser::read_face() {
                      corners_.size()));
 
   const int face = file_.mesh.face_count();
+  if (static_cast<std::size_t>(face) >= most_.faces) fail(limits::more_than(most_.faces, "faces"));
+  if (file_.mesh.corners.size() + corners_.size() > most_.corners)
+    fail(limits::more_than(most_.corners, "corners"));
   file_.mesh.add_face(corners_);
   auto& texcoord_of = file_.mesh.corner_texcoord;
   texcoord_of.insert(texcoord_of.end(), corner_texcoords_.begin(), corner_texcoords_.end());
@@ -191,7 +196,9 @@ void ObjParser::read_face() {
   for (const std::vector<int>* groups : {&object_groups_, &open_groups_})
     for (const int group : *groups) {
       std::vector<int>& faces = file_.mesh.groups[static_cast<std::size_t>(group)].faces;
-      if (faces.empty() || faces.back() != face) faces.push_back(face);  // `o a` and `g a` may be one group
+      if (!faces.empty() && faces.back() == face) continue;  // `o a` and `g a` may be one group
+      if (++group_faces_ > most_.group_faces) fail(limits::more_than(most_.group_faces, "faces in groups"));
+      faces.push_back(face);
     }
 }
 
@@ -266,8 +273,9 @@ MeshFile ObjParser::finish() {
 
 }  // namespace
 
-MeshFile parse_obj(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
-  ObjParser parser(name, folder);
+MeshFile parse_obj(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                   const limits::MeshSize& most) {
+  ObjParser parser(name, folder, most);
   parser.read(text);
   return parser.finish();
 }

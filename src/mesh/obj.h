@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "flexkey/mesh/limits.h"
 #include "flexkey/mesh/mesh_file.h"
 
 namespace flexkey {
@@ -15,7 +16,9 @@ namespace flexkey {
 /// not a finite number), and for a file that cannot be read.
 MeshFile read_obj(const std::filesystem::path& path);
 
-/// The same from a text; `name` stands in messages, material libraries are looked for in `folder`.
-MeshFile parse_obj(std::string_view text, const std::string& name, const std::filesystem::path& folder);
+/// The same from a text; `name` stands in messages, material libraries are looked for in `folder`. What is
+/// larger than `most` is refused.
+MeshFile parse_obj(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                   const limits::MeshSize& most = {});
 
 }  // namespace flexkey

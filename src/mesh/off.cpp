@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "flexkey/mesh/limits.h"
 #include "flexkey/mesh/read_file.h"
 #include "flexkey/mesh/text_words.h"
 
@@ -22,8 +23,11 @@ bool has_more_a_vertex(TextWords& words) {
   return format != "OFF";
 }
 
-/// Refuses counts that the file is too short for: a vertex takes 6 bytes or more, a face 7.
+/// Refuses counts beyond the limits, or that the file is too short for: a vertex takes 6 bytes or more, a
+/// face 7.
 void require_room(const TextWords& words, long long vertices, long long faces) {
+  if (vertices > limits::vertices) words.fail(limits::more_than(limits::vertices, "vertices"));
+  if (faces > limits::faces) words.fail(limits::more_than(limits::faces, "faces"));
   const auto left = static_cast<long long>(words.bytes_left()) + 1;
   if (vertices > left / 6 || faces > left / 7)
     words.fail(fmt::format("the file is too short for {} vertices and {} faces", vertices, faces));
@@ -42,6 +46,8 @@ void read_faces(TextWords& words, long long count, Mesh& mesh) {
   std::vector<int> corners;
   for (long long f = 0; f < count; ++f) {
     const long long size = words.whole(fmt::format("the corner count of face {}", f), 3, most);
+    if (std::ssize(mesh.corners) + size > limits::corners)
+      words.fail(limits::more_than(limits::corners, "corners"));
     if (static_cast<std::size_t>(size) > words.bytes_left() / 2 + 1)
       words.fail(fmt::format("the file is too short for the {} corners of face {}", size, f));
     const std::string what = fmt::format("a vertex of face {}", f);

@@ -13,6 +13,7 @@
 
 #include "flexkey/mesh/byte_words.h"
 #include "flexkey/mesh/error.h"
+#include "flexkey/mesh/limits.h"
 #include "flexkey/mesh/numbers.h"
 #include "flexkey/mesh/ply_header.h"
 #include "flexkey/mesh/read_file.h"
@@ -88,6 +89,7 @@ class PlyParser {
   void read_vertices(const PlyElement& element);
   void read_faces(const PlyElement& element);
   void pass_over(const PlyElement& element);
+  void require_within_limits(const PlyElement& element) const;
   const std::vector<double>& numbers(const PlyProperty& property, const std::string& what);
   void add_face(const std::vector<double>& corners, const std::string& what);
   void add_texcoords(const std::vector<double>& numbers, const std::string& what);
@@ -107,6 +109,7 @@ MeshFile PlyParser::read() {
   for (const PlyElement& element : header_.elements)
     if (element.name == "vertex") vertex_count_ = element.count;
   for (const PlyElement& element : header_.elements) {
+    require_within_limits(element);
     data_.require_room(element.count, data_.least_bytes(element),
                        fmt::format("{} elements '{}'", element.count, element.name));
     if (element.name == "vertex") {
@@ -126,6 +129,13 @@ MeshFile PlyParser::read() {
     mesh.corner_texcoord = mesh.corners;
   }
   return std::move(file_);
+}
+
+void PlyParser::require_within_limits(const PlyElement& element) const {
+  const std::size_t most = element.name == "vertex" ? limits::vertices : limits::faces;
+  if (element.count > most)
+    throw InputError(
+        fmt::format("{}: {}", name_, limits::more_than(most, fmt::format("elements '{}'", element.name))));
 }
 
 /// The items of a list, or the one number of another property; good until the next are read.
@@ -192,6 +202,8 @@ void PlyParser::read_vertices(const PlyElement& element) {
 void PlyParser::add_face(const std::vector<double>& corners, const std::string& what) {
   if (corners.size() < 3)
     data_.fail(fmt::format("{} has {} corners; at least 3 are needed", what, corners.size()));
+  if (file_.mesh.corners.size() + corners.size() > std::size_t{limits::corners})
+    data_.fail(limits::more_than(limits::corners, "corners"));
   std::vector<int> vertices;
   for (const double corner : corners) {
     const bool is_there = corner >= 0 && corner < static_cast<double>(vertex_count_);

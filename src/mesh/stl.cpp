@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <limits>
+#include <map>
 #include <vector>
 
 #include "flexkey/mesh/byte_words.h"
 #include "flexkey/mesh/error.h"
+#include "flexkey/mesh/limits.h"
 #include "flexkey/mesh/numbers.h"
 #include "flexkey/mesh/read_file.h"
 #include "flexkey/mesh/text_words.h"
@@ -18,7 +18,7 @@ namespace flexkey {
 namespace {
 
 constexpr std::size_t header_bytes = 80, triangle_bytes = 50;
-constexpr std::size_t most_triangles = std::numeric_limits<int>::max() / 3;
+constexpr std::size_t most_triangles = limits::faces;
 
 /// Triangles with a vertex for each of their corners.
 struct Soup {
@@ -49,7 +49,8 @@ Soup read_binary(std::string_view bytes, const std::string& name) {
   ByteWords words(bytes, name, std::endian::little);
   words.skip(header_bytes, "the header of an STL");
   const std::uint64_t count = words.bits(4, "the count of triangles");
-  if (count > most_triangles || count * triangle_bytes > words.bytes_left())
+  if (count > most_triangles) words.fail(limits::more_than(most_triangles, "triangles"));
+  if (count * triangle_bytes > words.bytes_left())
     words.fail(fmt::format("the file is too short for {} triangles", count));
   Soup soup;
   soup.coordinates.reserve(9 * count);
@@ -87,23 +88,21 @@ void read_facet(TextWords& words, Soup& soup) {
   expect(words, "endfacet");
 }
 
-Group& group_of(const std::string& name, std::vector<Group>& groups) {
-  const auto found =
-      std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; });
-  if (found != groups.end()) return *found;
-  groups.push_back({name, {}});
-  return groups.back();
-}
-
 Soup read_text(std::string_view text, const std::string& name) {
   TextWords words(text, name, TextWords::Comments::none);
   Soup soup;
+  std::map<std::string, std::size_t, std::less<>> group_of;  // by the name of a solid
   while (!words.at_end()) {
     expect(words, "solid");
     const std::string solid(words.rest_of_line());
     for (std::string_view word = words.next("'facet'"); word != "endsolid"; word = words.next("'facet'")) {
       if (word != "facet") words.fail(fmt::format("'{}' stands where 'facet' should", word.substr(0, 32)));
-      if (!solid.empty()) group_of(solid, soup.groups).faces.push_back(soup.triangle_count());
+      if (soup.triangle_count() == limits::faces) words.fail(limits::more_than(limits::faces, "triangles"));
+      if (!solid.empty()) {
+        const auto [group, is_new] = group_of.try_emplace(solid, soup.groups.size());
+        if (is_new) soup.groups.push_back({solid, {}});
+        soup.groups[group->second].faces.push_back(soup.triangle_count());
+      }
       read_facet(words, soup);
     }
     words.rest_of_line();  // the name again

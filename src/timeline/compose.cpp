@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "flexkey/mesh/limits.h"
 #include "flexkey/timeline/syntax_error.h"
 
 namespace flexkey {
@@ -105,8 +106,9 @@ class Composer : public YAML::EventHandler {
     node.kind = kind;
     node.anchor = anchor;
     node.where = source_.mark_at(static_cast<std::size_t>(mark.pos));
-    if (++count_ > most_nodes) {
-      throw YamlError(node.where, fmt::format("the timeline has more than {} values", most_nodes));
+    if (++count_ > limits::timeline_values) {
+      throw YamlError(node.where,
+                      fmt::format("the timeline has more than {} values", limits::timeline_values));
     }
     return node;
   }
@@ -114,8 +116,8 @@ class Composer : public YAML::EventHandler {
   void open(WrittenNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     WrittenNode node = start(kind, mark, anchor);
     check_tag(tag, node.where);
-    if (open_.size() >= static_cast<std::size_t>(most_depth)) {
-      throw YamlError(node.where, fmt::format("values are nested more than {} deep", most_depth));
+    if (open_.size() >= static_cast<std::size_t>(limits::timeline_depth)) {
+      throw YamlError(node.where, fmt::format("values are nested more than {} deep", limits::timeline_depth));
     }
     open_.push_back(std::move(node));
   }

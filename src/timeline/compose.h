@@ -8,9 +8,6 @@
 
 namespace flexkey {
 
-inline constexpr std::size_t most_nodes = 100'000;  // of the document with its aliases expanded
-inline constexpr int most_depth = 64;               // of values within values
-
 /// A YAML value as the text has it: aliases and merge keys still stand, doubled keys too.
 struct WrittenNode {
   enum class Kind { null, scalar, list, map, alias };
@@ -24,7 +21,7 @@ struct WrittenNode {
 };
 
 /// The one document of the text, null if there is none. Throws YamlError for what is not YAML, several
-/// documents, an alias within its own anchor, and more than `most_nodes` values or `most_depth` levels.
+/// documents, an alias within its own anchor, and more values or levels than limits.h allows.
 WrittenNode compose(const SourceText& source);
 
 }  // namespace flexkey

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "flexkey/mesh/limits.h"
 #include "flexkey/timeline/compose.h"
 
 namespace flexkey {
@@ -75,13 +76,13 @@ class Expander {
 
  private:
   void check_bounds(Place place) {
-    if (++count_ > most_nodes) {
-      throw YamlError(place.where,
-                      fmt::format("with its aliases the timeline has more than {} values", most_nodes));
+    if (++count_ > limits::timeline_values) {
+      throw YamlError(place.where, fmt::format("with its aliases the timeline has more than {} values",
+                                               limits::timeline_values));
     }
-    if (place.depth > most_depth) {
-      throw YamlError(place.where,
-                      fmt::format("with its aliases, values are nested more than {} deep", most_depth));
+    if (place.depth > limits::timeline_depth) {
+      throw YamlError(place.where, fmt::format("with its aliases, values are nested more than {} deep",
+                                               limits::timeline_depth));
     }
   }
 

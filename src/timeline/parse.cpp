@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "flexkey/mesh/limits.h"
 #include "flexkey/timeline/fields.h"
 #include "flexkey/timeline/overrides.h"
 #include "flexkey/timeline/placeholders.h"
@@ -33,9 +34,6 @@
 
 namespace flexkey {
 namespace {
-
-constexpr double most_fps = 1000;
-constexpr double most_frames = 100'000;
 
 void check_version(const Node& node, Scope& scope) {
   const std::optional<int> version = read_whole(node, scope);
@@ -65,9 +63,9 @@ void check_cycle(const Shot& shot, Mark where, Findings& findings) {
 
 std::optional<double> read_fps(const Node& node, Scope& scope) {
   const std::optional<double> fps = read_number(node, scope);
-  if (!fps || (*fps > 0 && *fps <= most_fps)) return fps;
-  scope.findings.error(
-      node.where, fmt::format("fps {} is outside 0..{} (frames a second, above 0)", node.text, most_fps));
+  if (!fps || (*fps > 0 && *fps <= limits::frames_a_second)) return fps;
+  scope.findings.error(node.where, fmt::format("fps {} is outside 0..{} (frames a second, above 0)",
+                                               node.text, limits::frames_a_second));
   return std::nullopt;
 }
 
@@ -86,10 +84,10 @@ double read_duration(const Fields& fields, Scope& scope) {
   const Node* node = fields.value("duration");
   const double duration = node != nullptr ? read_time(*node, scope).value_or(0) : scope.last_key;
   const double frames = std::floor(duration * scope.fps + 1e-6) + 1;
-  if (frames <= most_frames) return duration;
+  if (frames <= limits::frames) return duration;
   scope.findings.error(
       node != nullptr ? node->where : scope.last_key_where,
-      fmt::format("the shot would have {:.0f} frames; {} are the most", frames, most_frames));
+      fmt::format("the shot would have {:.0f} frames; {} are the most", frames, limits::frames));
   return 0;
 }
 

@@ -1,11 +1,13 @@
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <system_error>
 
+#include "flexkey/mesh/limits.h"
 #include "flexkey/timeline/parse.h"
-#include "flexkey/timeline/source_text.h"
 
 namespace flexkey {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 
 /// At most one byte more than a timeline may have, so that an endless stream ends in an error.
 std::string read_bounded(std::istream& stream) {
-  std::string text(SourceText::most_bytes + 1, '\0');
+  std::string text(limits::timeline_bytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
@@ -25,7 +27,8 @@ std::string read_bounded(std::istream& stream) {
 std::string read_stream(std::istream& stream, const std::string& file) {
   std::string text = read_bounded(stream);
   if (stream.bad()) throw_unreadable(file, "reading failed");
-  if (text.size() > SourceText::most_bytes) throw_unreadable(file, "it is larger than 4 MiB");
+  if (text.size() > limits::timeline_bytes)
+    throw_unreadable(file, fmt::format("it is larger than {} MiB", limits::timeline_bytes >> 20));
   return text;
 }
 

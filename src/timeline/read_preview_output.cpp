@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "flexkey/mesh/limits.h"
 #include "flexkey/timeline/fields.h"
 #include "flexkey/timeline/parse.h"
 #include "flexkey/timeline/read_frame_ranges.h"
@@ -24,9 +25,7 @@ using Format = PreviewOutput::Format;
 using Quality = PreviewOutput::Quality;
 using Style = PreviewOutput::Style;
 
-constexpr int longest_side = 16'384;  // what picture formats and viewers take
 constexpr int longest_webp_side = 16'383;
-constexpr std::int64_t most_pixels = 36'000'000;  // 3 GB while a picture is made; 7680 x 4320 fits
 constexpr int most_samples = 4096;
 constexpr int highest_level = 4;
 constexpr int most_turns = 1000;
@@ -53,16 +52,16 @@ void read_size(const Node& node, PreviewOutput& output, Scope& scope) {
         fmt::format("size is [width, height] in pixels, such as [960, 540], not {}", describe(node)));
     return;
   }
-  const WholeRange side{1, longest_side};
+  const WholeRange side{1, limits::picture_side};
   const std::optional<int> width = read_whole_in(node.items[0], "width", side, scope);
   const std::optional<int> height = read_whole_in(node.items[1], "height", side, scope);
   if (!width || !height) return;
   output.width = *width;
   output.height = *height;
-  if (std::int64_t{*width} * *height > most_pixels)
+  if (std::int64_t{*width} * *height > limits::drawn_pixels)
     scope.findings.error(node.where,
                          fmt::format("a picture of {} x {} pixels is too large: at most {} million", *width,
-                                     *height, most_pixels / 1'000'000));
+                                     *height, limits::drawn_pixels / 1'000'000));
 }
 
 PreviewOutput::Handles read_handles_shown(const Node& node, Scope& scope) {
@@ -130,7 +129,7 @@ GifOutput read_gif(const Node& node, Scope& scope) {
     gif.where = path->where;
   }
   if (const Node* width = fields->value("width"))
-    gif.width = read_whole_in(*width, "width", {1, longest_side}, scope);
+    gif.width = read_whole_in(*width, "width", {1, limits::picture_side}, scope);
   return gif;
 }
 
@@ -157,7 +156,7 @@ SheetOutput read_sheet(const Node& node, Scope& scope) {
   }
   if (const Node* at = fields->value("at")) sheet.at = read_times_at(*at, scope);
   if (const Node* width = fields->value("width"))
-    sheet.width = read_whole_in(*width, "width", {1, longest_side}, scope);
+    sheet.width = read_whole_in(*width, "width", {1, limits::picture_side}, scope);
   return sheet;
 }
 

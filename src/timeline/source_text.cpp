@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "flexkey/mesh/limits.h"
+
 namespace flexkey {
 namespace {
 
@@ -50,7 +52,8 @@ bool is_control(unsigned byte) {
 }  // namespace
 
 SourceText::SourceText(std::string_view raw) {
-  if (raw.size() > most_bytes) throw YamlError({1, 1}, "the timeline is larger than 4 MiB");
+  if (raw.size() > limits::timeline_bytes)
+    throw YamlError({1, 1}, fmt::format("the timeline is larger than {} MiB", limits::timeline_bytes >> 20));
   text_ = with_plain_lines(raw);
   line_starts_.push_back(0);
   for (std::size_t i = 0; i < text_.size();) {

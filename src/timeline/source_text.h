@@ -23,9 +23,7 @@ class YamlError : public Error {
 /// The text of a timeline, made plain: UTF-8 without byte order mark, lines ending in '\n'.
 class SourceText {
  public:
-  static constexpr std::size_t most_bytes = 4 << 20;
-
-  /// Throws YamlError for a text over `most_bytes`, one that is not UTF-8, and control characters.
+  /// Throws YamlError for a text over limits::timeline_bytes, one that is not UTF-8, and control characters.
   explicit SourceText(std::string_view raw);
 
   const std::string& text() const { return text_; }

@@ -6,12 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "flexkey/mesh/limits.h"
 #include "flexkey/timeline/fields.h"
 
 namespace flexkey {
 namespace {
-
-constexpr std::size_t most_nodes = 100'000;  // as many as a timeline may have with its aliases
 
 /// A letter or '_' first, then digits too.
 bool is_name(std::string_view text) {
@@ -20,8 +19,6 @@ bool is_name(std::string_view text) {
   return !text.empty() && !is_digit(text.front()) &&
          std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || is_digit(c); });
 }
-
-constexpr int deepest = 64;  // as deep as a timeline may be with its aliases
 
 int depth_of(const Node& node) {
   int deepest_below = 0;
@@ -65,18 +62,24 @@ class Substitution {
                                                                  "; such names are defined under 'vars'")));
       return;
     }
+    if (is_full_) return;
     nodes_ += size_of(found->second);
-    if (nodes_ > most_nodes || depth + depth_of(found->second) > deepest) {
-      if (!is_full_)
-        findings_.error(node.where, nodes_ > most_nodes
-                                        ? "with its variables the timeline has more than 100000 values"
-                                        : "with its variables, values are nested more than 64 deep");
-      is_full_ = true;
-      return;
+    if (nodes_ > limits::timeline_values) {
+      refuse(node.where,
+             fmt::format("with its variables the timeline has more than {} values", limits::timeline_values));
+    } else if (depth + depth_of(found->second) > limits::timeline_depth) {
+      refuse(node.where,
+             fmt::format("with its variables, values are nested more than {} deep", limits::timeline_depth));
     }
+    if (is_full_) return;
     const Mark where = node.where;
     node = found->second;
     node.where = where;
+  }
+
+  void refuse(Mark where, const std::string& message) {
+    findings_.error(where, message);
+    is_full_ = true;
   }
 
   const Variables& variables_;

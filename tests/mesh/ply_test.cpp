@@ -157,8 +157,8 @@ TEST(Ply, WrongDataIsAnErrorWithItsPlace) {
             "x.ply:12: 'x' is no number, and vertex 1 should stand there");
   EXPECT_EQ(error_of(head + "0 0 0\n1 0 nan\n1 1 0\n0 1 0\n4 0 1 2 3\n"),
             "x.ply:12: vertex 1 has the coordinate 'nan', which is not a finite number");
-  EXPECT_EQ(error_of(header("ascii", 2000000000, "", 1) + square),
-            "x.ply:11: the file is too short for 2000000000 elements 'vertex'");
+  EXPECT_EQ(error_of(header("ascii", 20000000, "", 1) + square),
+            "x.ply:11: the file is too short for 20000000 elements 'vertex'");
   EXPECT_EQ(error_of(head + square), "x.ply:15: the file ends where face 0 should stand");
   EXPECT_THAT(error_of(header("ascii", 4, "", 0) + square), HasSubstr("no faces in it"));
 }

@@ -99,8 +99,8 @@ TEST(Stl, WhatIsNoMeshIsAnErrorWithItsPlace) {
   const std::string whole = binary_of(square);
   EXPECT_EQ(error_of(whole.substr(0, whole.size() - 1)),
             "x.stl: at byte 80: the file is too short for 2 triangles");
-  EXPECT_EQ(error_of(std::string(80, ' ') + bytes_of(0xFFFFFFFFU)),
-            "x.stl: at byte 80: the file is too short for 4294967295 triangles");
+  EXPECT_EQ(error_of(std::string(80, ' ') + bytes_of(40'000'000U)),
+            "x.stl: at byte 80: the file is too short for 40000000 triangles");
   EXPECT_EQ(error_of(std::string(80, ' ') + bytes_of(0U)), "x.stl: no faces in it");
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(error_of(binary_of({{{a, Point{0, nan, 0}, b}}})),

@@ -6,13 +6,12 @@
 #include <cstdint>
 
 #include "flexkey/mesh/error.h"
+#include "flexkey/mesh/limits.h"
 
 namespace flexkey {
 namespace {
 
 constexpr std::array<std::string_view, 4> names{"png", "exr", "webp", "jpg"};  // in the order of ImageFormat
-constexpr int longest_side = 16384;
-constexpr std::int64_t most_pixels = 100'000'000;
 
 }  // namespace
 
@@ -30,9 +29,10 @@ std::string_view name_of(ImageFormat format) {
 void check_picture_size(int width, int height) {
   if (width < 1 || height < 1)
     throw InputError(fmt::format("a picture of {} x {} pixels is empty", width, height));
-  if (width > longest_side || height > longest_side || std::int64_t{width} * height > most_pixels)
+  if (width > limits::picture_side || height > limits::picture_side ||
+      std::int64_t{width} * height > limits::picture_pixels)
     throw InputError(fmt::format("a picture of {} x {} pixels is too large; at most {} a side and {} million",
-                                 width, height, longest_side, most_pixels / 1'000'000));
+                                 width, height, limits::picture_side, limits::picture_pixels / 1'000'000));
 }
 
 }  // namespace flexkey
