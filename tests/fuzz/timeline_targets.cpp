@@ -42,7 +42,7 @@ void run_timeline(std::string_view bytes) {
     const ParsedShot parsed = parse_shot(bytes, "x.yaml", {}, sources());
     promise(parsed.shot.frame_count() >= 1 && parsed.shot.frame_count() <= limits::frames,
             "frames within the limits");
-    for (const Shot& run : runs_of(parsed.shot)) preview_folder(run);
+    for (const Shot& run : parsed.runs) preview_folder(run);
     bind_and_sample(parsed.shot);
   } catch (const Error&) {
     // Refused, as it may be.
