@@ -13,7 +13,7 @@ namespace {
 
 namespace messages = YAML::ErrorMsg;
 
-constexpr std::pair<std::string_view, std::string_view> rephrased[] = {
+const std::pair<std::string_view, std::string_view> rephrased[] = {
     {messages::END_OF_MAP, "a key is missing here; check the indentation"},
     {messages::END_OF_SEQ, "a '- ' is missing here; check the indentation"},
     {messages::MAP_KEY, "a key cannot stand here; check the indentation"},
