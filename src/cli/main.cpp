@@ -12,6 +12,8 @@
 #include "cli/exit_code.h"
 #include "cli/guarded.h"
 #include "cli/interrupt.h"
+#include "cli/previews.h"
+#include "flexkey/deform/cholesky.h"
 #include "flexkey/mesh/spelling.h"
 
 namespace {
@@ -65,13 +67,19 @@ std::string unknown_command(int argc, char** argv, const std::vector<Command>& t
   return fmt::format("unknown command '{}'{}", name, did_you_mean(name, names));
 }
 
+/// With what this build can and cannot do.
+std::string version() {
+  return fmt::format("flexkey {}\nfactors with {}; {}", FLEXKEY_VERSION, factoring_library(),
+                     draws_previews() ? "draws previews" : "built without previews");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Request request;
   const std::vector<Command> table = command_table(request);
   CLI::App app(std::string(program_summary), "flexkey");
-  app.set_version_flag("--version", "flexkey " FLEXKEY_VERSION);
+  app.set_version_flag("--version", version());
   app.require_subcommand(1);
   app.footer(exit_codes());
   for (const Command& command : table) add_command(app, command);

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <optional>
+#include <string>
 
 #include "flexkey/deform/ordering.h"
 #include "flexkey/deform/supernodes.h"
@@ -23,5 +24,8 @@ std::optional<Cholesky> cholesky(const Eigen::SparseMatrix<double>& matrix, cons
 /// The same by Eigen's simplicial LLᵀ, which is always there.
 std::optional<Cholesky> simplicial_cholesky(const Eigen::SparseMatrix<double>& matrix,
                                             const Permutation& order);
+
+/// What cholesky() factors with: "CHOLMOD 3.0.14".
+std::string factoring_library();
 
 }  // namespace flexkey

@@ -1,4 +1,5 @@
 #include <cholmod.h>
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <memory>
@@ -150,6 +151,12 @@ std::optional<Cholesky> cholesky(const Matrix& matrix, const Permutation& order)
   if (session.common.status != CHOLMOD_OK || factor->minor < factor->n) return std::nullopt;
   const Eigen::Map<const Eigen::VectorXi> composed(static_cast<const int*>(factor->Perm), matrix.cols());
   return Cholesky{Permutation(composed).inverse(), packed(*factor)};
+}
+
+std::string factoring_library() {
+  int version[3];
+  cholmod_version(version);
+  return fmt::format("CHOLMOD {}.{}.{}", version[0], version[1], version[2]);
 }
 
 }  // namespace flexkey

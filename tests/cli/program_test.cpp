@@ -7,6 +7,7 @@
 
 #include "cli/run_program.h"
 #include "cli/work_folder.h"
+#include "flexkey/deform/cholesky.h"
 #include "flexkey/mesh/read_file.h"
 
 namespace flexkey {
@@ -26,7 +27,13 @@ TEST_F(Program, HelpNamesCommandsAndExitCodes) {
   EXPECT_THAT(result.output, HasSubstr("animate"));
   EXPECT_THAT(result.output, HasSubstr("did not converge"));
   EXPECT_THAT(run({"animate", "--help"}).output, HasSubstr("flexkey animate timelines/nose.yaml -d out"));
-  EXPECT_THAT(run({"--version"}).output, StartsWith("flexkey "));
+}
+
+TEST_F(Program, VersionSaysWhatIsLeftOut) {
+  const std::string version = run({"--version"}).output;
+  EXPECT_THAT(version, StartsWith("flexkey "));
+  EXPECT_THAT(version, HasSubstr("factors with " + factoring_library()));
+  EXPECT_THAT(version, HasSubstr(FLEXKEY_HAS_PREVIEWS ? "draws previews" : "built without previews"));
 }
 
 TEST_F(Program, WrongUsageExitsTwo) {
