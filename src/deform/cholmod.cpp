@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flexkey/deform/cholesky.h"
+#include "flexkey/deform/dissection.h"
 #include "flexkey/deform/ordering.h"
 
 extern "C" {  // OpenBLAS has them in a header whose name is another in each distribution
@@ -122,20 +123,16 @@ void require_memory(const cholmod_common& common) {
 }  // namespace
 
 Permutation fill_reducing_order(const Matrix& symmetric) {
-  static std::mutex one_at_a_time;  // METIS draws from libc's one sequence of random numbers
+  static std::mutex one_at_a_time;  // CHOLMOD's dissection is METIS's too
   const std::lock_guard lock(one_at_a_time);
+  if (!is_thin(symmetric)) return dissection_order(symmetric);
   Session session;
   cholmod_sparse view = upper_triangle(symmetric);
   Permutation inverse(symmetric.cols());
   inverse.setIdentity();  // which stays where there are no entries, a matrix that CHOLMOD refuses
-  int* eliminated = inverse.indices().data();
-  if (is_thin(symmetric)) {
-    std::vector<int> parts(2 * view.ncol);  // two results that nothing asks for
-    cholmod_nested_dissection(&view, nullptr, 0, eliminated, parts.data(), parts.data() + view.ncol,
-                              &session.common);
-  } else {
-    cholmod_metis(&view, nullptr, 0, 0, eliminated, &session.common);
-  }
+  std::vector<int> parts(2 * view.ncol);  // two results that nothing asks for
+  cholmod_nested_dissection(&view, nullptr, 0, inverse.indices().data(), parts.data(),
+                            parts.data() + view.ncol, &session.common);
   require_memory(session.common);
   return inverse.inverse();
 }

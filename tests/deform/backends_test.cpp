@@ -35,7 +35,9 @@ TEST(Backends, AgreeToABillionthOfTheDiagonal) {
   double farthest = 0;
   for (std::size_t k = 0; k < built.size(); ++k) farthest = std::max(farthest, std::abs(built[k] - eigen[k]));
   EXPECT_LT(farthest, 1e-9 * diagonal);
-  if (factoring_library().starts_with("CHOLMOD")) EXPECT_GT(farthest, 0) << "both were of one backend";
+  if (factoring_library().starts_with("CHOLMOD")) {
+    EXPECT_GT(farthest, 0) << "both were of one backend";
+  }
 }
 
 }  // namespace
