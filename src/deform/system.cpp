@@ -26,7 +26,7 @@ Matrix free_columns(const Patch& patch) {
     }
     columns.insert(j, j) = diagonal;
   }
-  columns.makeCompressed();
+  if (patch.free > 0) columns.makeCompressed();  // which reads past the arrays of none
   return columns;
 }
 

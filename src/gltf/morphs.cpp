@@ -76,7 +76,7 @@ SparseRows sparse_samples(const Eigen::MatrixXf& weights) {
 }  // namespace
 
 void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const std::vector<Primitive>& moving,
-                       Targets targets) {
+                       MorphTargets targets) {
   tinygltf::Mesh mesh = base_mesh(model, asset, moving);
   mesh.weights.assign(targets.positions.size(), 0.0);
   for (std::size_t t = 0; t < targets.positions.size(); ++t) {

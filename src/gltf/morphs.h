@@ -17,7 +17,7 @@ namespace flexkey {
 /// target of every primitive carries POSITION, and NORMAL with normals, even where nothing moves: three.js
 /// and Babylon want the same attributes in all of them. The targets are taken apart as they are written.
 void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const std::vector<Primitive>& moving,
-                       Targets targets);
+                       MorphTargets targets);
 
 /// The same with targets in integers of two bytes for positions (KHR_mesh_quantization).
 void append_morph_mesh(tinygltf::Model& model, const Asset& asset, const std::vector<Primitive>& moving,

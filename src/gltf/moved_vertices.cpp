@@ -22,7 +22,7 @@ std::vector<bool> rows_of_any(Eigen::Index count, const Lists&... lists) {
 
 }  // namespace
 
-std::vector<bool> moved_vertices(const Targets& targets) {
+std::vector<bool> moved_vertices(const MorphTargets& targets) {
   return rows_of_any(targets.positions.front().rows(), targets.positions, targets.normals);
 }
 

@@ -8,7 +8,7 @@
 namespace flexkey {
 
 /// Which vertices any target moves or turns, #V.
-std::vector<bool> moved_vertices(const Targets& targets);
+std::vector<bool> moved_vertices(const MorphTargets& targets);
 std::vector<bool> moved_vertices(const QuantizedTargets& targets);
 
 }  // namespace flexkey

@@ -18,9 +18,9 @@ FloatRows deltas_between(const Positions& rest, const Positions& posed, double s
 
 }  // namespace
 
-Targets pose_targets(const Clip& clip, const std::vector<PoseShape>& poses, const NormalsAt& normals,
-                     const StillBounds& still) {
-  Targets targets;
+MorphTargets pose_targets(const Clip& clip, const std::vector<PoseShape>& poses, const NormalsAt& normals,
+                          const StillBounds& still) {
+  MorphTargets targets;
   if (poses.empty()) return targets;
   const Positions& rest = clip.mesh.positions;
   const Positions rest_normals = normals ? normals(rest) : Positions();

@@ -19,8 +19,8 @@ struct StillBounds {
 };
 
 /// The poses as morph targets, deltas from the clip's rest mesh. normals: empty where the file has none.
-Targets pose_targets(const Clip& clip, const std::vector<PoseShape>& poses, const NormalsAt& normals,
-                     const StillBounds& still);
+MorphTargets pose_targets(const Clip& clip, const std::vector<PoseShape>& poses, const NormalsAt& normals,
+                          const StillBounds& still);
 
 /// Gives the basis the poses' names, and weights of 0 at every key. Names that it has get a number.
 void append_poses(Basis& basis, const std::vector<PoseShape>& poses);

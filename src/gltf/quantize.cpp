@@ -24,7 +24,7 @@ struct Demands {
   double normal_most = 0;    // the scale at which a step of 1 in −1 … 1 just meets that of normals
 };
 
-Demands demands_of(const Targets& targets, std::size_t target, double largest_weight,
+Demands demands_of(const MorphTargets& targets, std::size_t target, double largest_weight,
                    const QuantizationBudget& budget) {
   // A rounding error of a step is spread evenly over −1/2 … 1/2 of it.
   const double steps = std::sqrt(12.0 / (3.0 * static_cast<double>(targets.positions.size())));
@@ -56,7 +56,7 @@ bool all_meet(const std::vector<Demands>& demands, double normal_steps) {
 
 }  // namespace
 
-QuantizedTargets quantize(const Targets& targets, const Eigen::MatrixXf& weights,
+QuantizedTargets quantize(const MorphTargets& targets, const Eigen::MatrixXf& weights,
                           const QuantizationBudget& budget) {
   const std::size_t count = targets.positions.size();
   const bool has_normals = !targets.normals.empty();

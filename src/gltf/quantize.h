@@ -15,7 +15,7 @@ struct QuantizedTargets {
   std::vector<FloatRows> float_normals;  // where integers could not tell them: a delta is scale · float
   int normal_largest = 127;              // 127 or 32767: whether normals take one byte or two
   std::vector<float> scales;             // #targets, positive
-  Targets poses;                         // targets behind those, as they are
+  MorphTargets poses;                    // targets behind those, as they are
 };
 
 /// How coarse the integers may be.
@@ -26,7 +26,7 @@ struct QuantizationBudget {
 
 /// weights: #frames x #targets. Steps are as large as the budgets allow, since small integers compress well:
 /// the errors of the targets, each as large as its largest weight lets it be, add up as independent ones do.
-QuantizedTargets quantize(const Targets& targets, const Eigen::MatrixXf& weights,
+QuantizedTargets quantize(const MorphTargets& targets, const Eigen::MatrixXf& weights,
                           const QuantizationBudget& budget);
 
 }  // namespace flexkey

@@ -73,7 +73,7 @@ void require_allowed(const Basis& basis, const GltfOptions& options) {
                   targets, profile_name(options), options.max_targets));
 }
 
-void append(Targets& targets, Targets poses) {
+void append(MorphTargets& targets, MorphTargets poses) {
   std::move(poses.positions.begin(), poses.positions.end(), std::back_inserter(targets.positions));
   std::move(poses.normals.begin(), poses.normals.end(), std::back_inserter(targets.normals));
 }
@@ -116,8 +116,8 @@ Reduction reduce(const Clip& clip, const ReductionPlan& plan, const GltfOptions&
 }
 
 QuantizedTargets quantize_targets(Reduction& reduction, double length) {
-  Targets& targets = reduction.targets;
-  Targets poses{last_of(targets.positions, reduction.poses), last_of(targets.normals, reduction.poses)};
+  MorphTargets& targets = reduction.targets;
+  MorphTargets poses{last_of(targets.positions, reduction.poses), last_of(targets.normals, reduction.poses)};
   const auto count = static_cast<Eigen::Index>(targets.positions.size());
   auto weights = reduction.basis.weights.leftCols(count);
   QuantizedTargets quantized = quantize(targets, weights, {.length = length});

@@ -14,8 +14,9 @@ namespace flexkey {
 
 /// A clip as few targets.
 struct Reduction {
-  Basis basis;      // its targets are taken out
-  Targets targets;  // at least one, since glTF animates no weights of a mesh without; the poses come last
+  Basis basis;  // its targets are taken out
+  MorphTargets
+      targets;  // at least one, since glTF animates no weights of a mesh without; the poses come last
   std::size_t poses = 0;  // how many of them are the options' poses
   double rounding = 0;    // what integers may add to a vertex's distance on average, file units
 };

@@ -40,7 +40,7 @@ std::int64_t target_bytes(const GlbContents& contents, std::int64_t kept) {
 
 }  // namespace
 
-GlbContents count_contents(const Asset& asset, const Targets& targets) {
+GlbContents count_contents(const Asset& asset, const MorphTargets& targets) {
   GlbContents contents;
   contents.frames = static_cast<std::int64_t>(asset.clip.frames.size());
   contents.targets = static_cast<std::int64_t>(targets.positions.size());

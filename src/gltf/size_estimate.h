@@ -25,7 +25,7 @@ struct GlbContents {
 constexpr std::int64_t kMostGlbBytes = (std::int64_t{1} << 32) - 1;
 
 /// Counts what the file will take without building any of it.
-GlbContents count_contents(const Asset& asset, const Targets& targets);
+GlbContents count_contents(const Asset& asset, const MorphTargets& targets);
 
 /// Bytes of the GLB, rather too many than too few: the arrays as floats and a generous share of JSON each.
 std::int64_t estimate_glb_bytes(const GlbContents& contents);

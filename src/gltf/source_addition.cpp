@@ -39,7 +39,7 @@ struct TargetAppender {
 
   auto part(const auto& rows) const { return rows(vertices, Eigen::all).eval(); }
 
-  int positions(const Targets& targets) const {
+  int positions(const MorphTargets& targets) const {
     return append_deltas(model, nonzero_rows(part(targets.positions[t])));
   }
   int positions(const QuantizedTargets& targets) const {
@@ -47,7 +47,7 @@ struct TargetAppender {
       return append_attribute(model, part(targets.poses.positions[t - count]));
     return append_normalized(model, part(targets.positions[t]), 32767);
   }
-  int normals(const Targets& targets) const {
+  int normals(const MorphTargets& targets) const {
     return append_deltas(model, nonzero_rows(part(targets.normals[t])));
   }
   int normals(const QuantizedTargets& targets) const {

@@ -20,11 +20,11 @@ namespace flexkey {
 
 /// What a clip adds to the file of its mesh.
 struct SourceTargets {
-  std::vector<std::string> names;                   // #targets
-  std::variant<Targets, QuantizedTargets> targets;  // of #V rows, in the space of each vertex's node
-  SourceSplit split;                                // which of its faces get them
-  bool normals = true;                              // else the file's own are dropped: clients shade flat
-  std::vector<WeightTrack> tracks;                  // an animation each
+  std::vector<std::string> names;                        // #targets
+  std::variant<MorphTargets, QuantizedTargets> targets;  // of #V rows, in the space of each vertex's node
+  SourceSplit split;                                     // which of its faces get them
+  bool normals = true;              // else the file's own are dropped: clients shade flat
+  std::vector<WeightTrack> tracks;  // an animation each
   std::string merge_into;  // an animation of the file that gets the first track's weights; empty: all are new
 };
 

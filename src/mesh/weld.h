@@ -9,7 +9,7 @@ namespace flexkey {
 /// A mesh with the vertices at one place made one: the surface that is solved. UV and normal seams of a file
 /// split vertices that move together; what is solved on the surface is scattered back with `scatter`.
 struct Weld {
-  Mesh surface;                 // same faces, groups, materials, creases and attributes; no texture coordinates
+  Mesh surface;  // same faces, groups, materials, creases and attributes; no texture coordinates
   std::vector<int> to_surface;  // #V of the file, surface vertex of each; first come, first numbered
 };
 

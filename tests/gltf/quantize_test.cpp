@@ -15,8 +15,8 @@ FloatRows noise(Eigen::Index rows, double size, int seed) {
   return result;
 }
 
-Targets targets_of(double position_size, double normal_size) {
-  Targets targets;
+MorphTargets targets_of(double position_size, double normal_size) {
+  MorphTargets targets;
   for (const int t : {0, 1, 2}) {
     targets.positions.push_back(noise(500, position_size / (1 + t), t));
     targets.normals.push_back(noise(500, normal_size / (1 + t), t + 7));
@@ -32,7 +32,7 @@ double off(const FloatRows& deltas, const ShortRows& integers, double scale, dou
 }
 
 TEST(Quantize, KeepsToTheBudgetsOfPositionsAndNormals) {
-  const Targets targets = targets_of(0.4, 1.2);
+  const MorphTargets targets = targets_of(0.4, 1.2);
   const QuantizedTargets quantized = quantize(targets, unit_weights, {.length = 1e-4, .angle = 0.01});
   EXPECT_EQ(quantized.normal_largest, 127);
   for (std::size_t t = 0; t < 3; ++t) {
@@ -51,7 +51,7 @@ TEST(Quantize, AnIntegerIsWithinTheRangeOfItsType) {
 }
 
 TEST(Quantize, AMeshInCentimetresNeedsNormalsOfTwoBytes) {
-  const Targets targets = targets_of(100, 1.2);
+  const MorphTargets targets = targets_of(100, 1.2);
   const QuantizedTargets quantized = quantize(targets, unit_weights, {.length = 0.02, .angle = 0.01});
   EXPECT_EQ(quantized.normal_largest, 32767);
   ASSERT_EQ(quantized.normals.size(), 3u);
@@ -60,7 +60,7 @@ TEST(Quantize, AMeshInCentimetresNeedsNormalsOfTwoBytes) {
 }
 
 TEST(Quantize, ATinyMeshKeepsNormalsInFloats) {
-  const Targets targets = targets_of(1e-5, 1.2);
+  const MorphTargets targets = targets_of(1e-5, 1.2);
   const QuantizedTargets quantized = quantize(targets, unit_weights, {.length = 1e-9, .angle = 0.01});
   EXPECT_TRUE(quantized.normals.empty());
   ASSERT_EQ(quantized.float_normals.size(), 3u);
@@ -72,7 +72,7 @@ TEST(Quantize, ATinyMeshKeepsNormalsInFloats) {
 }
 
 TEST(Quantize, ATargetOfZerosStaysZero) {
-  Targets still;
+  MorphTargets still;
   still.positions.emplace_back(FloatRows::Zero(4, 3));
   const QuantizedTargets quantized = quantize(still, Eigen::MatrixXf::Zero(2, 1), {.length = 0});
   EXPECT_TRUE(quantized.positions[0].isZero(0));

@@ -12,7 +12,7 @@ FloatRows column(const std::vector<float>& values) {
 }
 
 SamplerTrack track(const std::string& interpolation, const std::vector<float>& times,
-                  const std::vector<float>& values) {
+                   const std::vector<float>& values) {
   return {interpolation, column(times), column(values)};
 }
 

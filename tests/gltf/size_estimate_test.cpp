@@ -21,7 +21,7 @@ GlbContents contents_of(const Clip& clip, const GltfOptions& options) {
   const Asset asset = asset_of(clip, options);
   std::vector<int> numbers(clip.frames.size());
   std::iota(numbers.begin(), numbers.end(), 0);
-  Targets targets{frame_basis({clip.frames, clip.mesh.positions, numbers}).targets, {}};
+  MorphTargets targets{frame_basis({clip.frames, clip.mesh.positions, numbers}).targets, {}};
   for (const Positions& frame : clip.frames) {
     if (!asset.normals) break;
     targets.normals.emplace_back(asset.normals->at(frame).cast<float>() - asset.rest.normals);

@@ -35,7 +35,7 @@ FloatRows one_row(Eigen::Index row) {
 }
 
 TEST(MovedVertices, MoveOrTurnInAnyTarget) {
-  EXPECT_THAT(moved_vertices(Targets{{one_row(0), one_row(2)}, {one_row(2), one_row(3)}}),
+  EXPECT_THAT(moved_vertices(MorphTargets{{one_row(0), one_row(2)}, {one_row(2), one_row(3)}}),
               ElementsAre(true, false, true, true));
   QuantizedTargets quantized;
   quantized.positions = {ShortRows::Zero(4, 3)};
