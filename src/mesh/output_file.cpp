@@ -18,6 +18,20 @@ namespace {
   throw OutputError(fmt::format("cannot write '{}': {}", path.string(), std::strerror(error)));
 }
 
+/// A file without a name in the folder of `path`, of which a killed program leaves nothing; -1 where the file
+/// system has none, or nothing to name it by later.
+int open_nameless(const std::filesystem::path& path) {
+  if (access("/proc/self/fd", X_OK) != 0) return -1;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  return open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+}
+
+bool give_name(int descriptor, const std::filesystem::path& name) {
+  unlink(name.c_str());  // of another program that had this one's number and was killed
+  const std::string link = fmt::format("/proc/self/fd/{}", descriptor);
+  return linkat(AT_FDCWD, link.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
 }  // namespace
 
 OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
@@ -29,10 +43,17 @@ OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
 
   // A device or pipe such as /dev/null cannot be replaced by a renamed file: it is written as it is.
   const bool in_place = stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode);
-  if (!in_place) temporary_ = fmt::format("{}.part-{}", path_.string(), getpid());
+  if (!in_place) descriptor_ = open_nameless(path_);
+  is_nameless_ = descriptor_ >= 0;
+  if (is_nameless_) return;
+  if (!in_place) temporary_ = name_beside();
   const std::filesystem::path& opened = in_place ? path_ : temporary_;
   descriptor_ = open(opened.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(path_, errno);
+}
+
+std::filesystem::path OutputFile::name_beside() const {
+  return fmt::format("{}.part-{}", path_.string(), getpid());
 }
 
 OutputFile::~OutputFile() {
@@ -58,6 +79,11 @@ void OutputFile::write(std::string_view text) {
 void OutputFile::commit() {
   // Network file systems report a full disk only on sync or close. A device or pipe knows no sync (EINVAL).
   if (fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(path_, errno);
+  if (is_nameless_) {  // a link cannot replace a file, a renamed one does
+    const std::filesystem::path name = name_beside();
+    if (!give_name(descriptor_, name)) fail(path_, errno);
+    temporary_ = name;
+  }
   const int closed = close(descriptor_);
   descriptor_ = -1;
   if (closed != 0) fail(path_, errno);

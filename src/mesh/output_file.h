@@ -8,8 +8,9 @@
 
 namespace flexkey {
 
-/// A file that appears under its name only when it is whole: written beside it, synced, then renamed over it.
-/// What is not committed is removed. Every failure is an OutputError that names the file and the reason.
+/// A file that appears under its name only when it is whole: written without a name or beside it, synced,
+/// then renamed over it. What is not committed is removed. Every failure is an OutputError that names the
+/// file and the reason.
 class OutputFile {
  public:
   /// Makes the missing folders of `path`.
@@ -25,8 +26,11 @@ class OutputFile {
   std::uintmax_t bytes_written() const { return bytes_written_; }
 
  private:
+  std::filesystem::path name_beside() const;
+
   std::filesystem::path path_, temporary_;
   int descriptor_ = -1;
+  bool is_nameless_ = false;
   std::uintmax_t bytes_written_ = 0;
 };
 

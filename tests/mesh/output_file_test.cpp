@@ -1,8 +1,12 @@
 #include "flexkey/mesh/output_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 
@@ -47,6 +51,21 @@ TEST_F(OutputFileTest, AppearsUnderItsNameWhenCommitted) {
 
 TEST_F(OutputFileTest, LeavesNothingWhereItIsNotCommitted) {
   { OutputFile(folder_ / "x.bin").write("half"); }
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(OutputFileTest, OfAKilledProgramNothingIsLeft) {
+  fs::create_directories(folder_);
+  const int probe = open(folder_.c_str(), O_WRONLY | O_TMPFILE, 0666);
+  if (probe < 0) GTEST_SKIP() << "this file system has no files without names";
+  close(probe);
+  const pid_t program = fork();
+  if (program == 0) {
+    OutputFile file(folder_ / "x.bin");
+    file.write("half");
+    raise(SIGKILL);
+  }
+  ASSERT_EQ(waitpid(program, nullptr, 0), program);
   EXPECT_EQ(files(), 0u);
 }
 
