@@ -31,7 +31,7 @@ struct Mat {
 };
 
 [[gnu::always_inline]] inline Lane load(const double* from) {
-  using Loose = double __attribute__((vector_size(sizeof(Lane)), aligned(sizeof(double)), may_alias));
+  using Loose __attribute__((aligned(sizeof(double)), may_alias)) = Lane;
   return *reinterpret_cast<const Loose*>(from);
 }
 

@@ -14,12 +14,13 @@ namespace {
 constexpr int chunk = 192;  // numbers at a time, whole rows: what a window has of them fits the nearest cache
 constexpr int width = 4;    // numbers that are summed side by side
 
-using Four = double __attribute__((vector_size(width * sizeof(double)), aligned(sizeof(double)), may_alias));
+using Four = double __attribute__((vector_size(width * sizeof(double))));
+using Loose __attribute__((aligned(sizeof(double)), may_alias)) = Four;  // anywhere in memory
 
 [[gnu::always_inline]] inline double dot(const double* a, const double* b) {
   Four sum{};
   for (int i = 0; i < chunk; i += width) {
-    sum += *reinterpret_cast<const Four*>(a + i) * *reinterpret_cast<const Four*>(b + i);
+    sum += *reinterpret_cast<const Loose*>(a + i) * *reinterpret_cast<const Loose*>(b + i);
   }
   double total = 0;
   for (int l = 0; l < width; ++l) total += sum[l];

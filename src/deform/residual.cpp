@@ -11,8 +11,8 @@ namespace {
 
 constexpr int grain = 512;  // rows a task
 
-using Four = double __attribute__((vector_size(4 * sizeof(double))));               // x, y, z and a spare
-using Loose = double __attribute__((vector_size(4 * sizeof(double)), aligned(8)));  // anywhere in memory
+using Four = double __attribute__((vector_size(4 * sizeof(double))));    // x, y, z and a spare
+using Loose __attribute__((aligned(sizeof(double)), may_alias)) = Four;  // anywhere in memory
 
 /// Row i of an n x 3 array, or the matrix i of an array of 3 x 3.
 [[gnu::always_inline]] inline const double* row(const double* first, int i) {

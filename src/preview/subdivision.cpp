@@ -84,8 +84,8 @@ Points apply(const Stencils& stencils, const Points& control) {
   // Four floats a point, so that a weight is one multiplication of a vector register.
   using Quad = Eigen::Array4f;
   Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor> padded(control.rows(), 4);
+  padded.setZero();
   padded.leftCols<3>() = control;
-  padded.col(3).setZero();
   const float* points = padded.data();
   Points refined(static_cast<Eigen::Index>(stencils.offsets.size()) - 1, 3);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, stencils.offsets.size() - 1, 4096),
