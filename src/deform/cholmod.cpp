@@ -1,6 +1,5 @@
 #include <cholmod.h>
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <memory>
 #include <mutex>
@@ -11,9 +10,11 @@
 #include "flexkey/deform/dissection.h"
 #include "flexkey/deform/ordering.h"
 
-extern "C" {  // OpenBLAS has them in a header whose name is another in each distribution
+extern "C" {  // in headers whose names are others in each distribution, or of the compiler's own OpenMP
 void openblas_set_num_threads(int);
 int openblas_get_num_threads();
+void omp_set_max_active_levels(int);
+int omp_get_max_active_levels();
 }
 
 namespace flexkey {

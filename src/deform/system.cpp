@@ -45,10 +45,10 @@ LaplacianSystem::LaplacianSystem(const Patch& patch, System system, const Ties& 
   row_weights_ = row_weights.head(std::min<Eigen::Index>(row_weights.size(), patch.rows));
 }
 
-LaplacianSystem::LaplacianSystem(System system, Matrix&& N, const Ties& ties)
+LaplacianSystem::LaplacianSystem(System system, const Matrix& N, const Ties& ties)
     : system_(system),
       springs_(make_springs(N, ties.soft)),
-      tied_(with_springs(std::move(N), springs_), ties.rigid, ties.places) {}
+      tied_(with_springs(N, springs_), ties.rigid, ties.places) {}
 
 const Factor* LaplacianSystem::plain_factor() const {
   return springs_.vertices.empty() ? tied_.plain_factor() : nullptr;

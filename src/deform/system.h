@@ -41,7 +41,7 @@ class LaplacianSystem {
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
-  LaplacianSystem(System system, Matrix&& N, const Ties& ties);
+  LaplacianSystem(System system, const Matrix& N, const Ties& ties);
 
   System system_;
   Eigen::VectorXd row_weights_;  // rows, D's diagonal; empty: D = 1
