@@ -46,6 +46,8 @@ Glb split_glb(std::string_view file) {
   if (const std::uint32_t version = word_at(file, 4); version != 2)
     throw InputError(fmt::format("it is a GLB of version {}; flexkey reads version 2", version));
   const std::size_t length = word_at(file, 8);
+  if (length < kHeaderBytes)
+    throw InputError(fmt::format("the GLB has {} bytes, fewer than its header", length));
   if (length > file.size())
     throw InputError(fmt::format("the GLB has {} bytes, and the file ends after {}", length, file.size()));
   const std::string_view glb = file.substr(0, length);

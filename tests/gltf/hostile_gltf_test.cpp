@@ -59,6 +59,9 @@ TEST_F(HostileGltf, Framing) {
   std::string old = sound;
   old[4] = 1;
   EXPECT_EQ(problem_of(old), "it is a GLB of version 1; flexkey reads version 2");
+  std::string short_file = sound;
+  short_file.replace(8, 4, std::string("\0\0\0\0", 4));
+  EXPECT_EQ(problem_of(short_file), "the GLB has 0 bytes, fewer than its header");
   std::string long_chunk = sound;
   long_chunk.replace(12, 4, "\xFF\xFF\xFF\xFF");
   EXPECT_THAT(problem_of(long_chunk), StartsWith("chunk 0 has 4294967295 bytes, and the file ends after"));
